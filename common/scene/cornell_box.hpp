@@ -1,0 +1,25 @@
+#pragma once
+/// @file cornell_box.hpp
+/// The Cornell box: a real box of plywood and paint, measured in millimetres so that a render could be held
+/// against a photograph. The data are those of the Cornell University Program of Computer Graphics.
+
+#include "math/vector.hpp"
+#include "scene/scene.hpp"
+
+namespace sr {
+
+/// The box as published: 32 triangles, walls and two blocks, open towards the camera. The light lies 0.1
+/// below the ceiling, whose plane it shares in the original.
+[[nodiscard]] Scene cornell_box();
+
+/// The published camera. Focal length and film side are lengths in another unit than the box: only their
+/// ratio matters to a pinhole.
+namespace cornell_camera {
+inline constexpr Vector3<double> position{278, 273, -800};  ///< [mm]
+inline constexpr Vector3<double> direction{0, 0, 1};
+inline constexpr Vector3<double> up{0, 1, 0};
+inline constexpr double          focal_length = 0.035;
+inline constexpr double          film_side    = 0.025;  ///< width and height
+}  // namespace cornell_camera
+
+}  // namespace sr
