@@ -1,0 +1,103 @@
+#pragma once
+/// @file options.hpp
+/// The options that every chapter program shares, and the sub-commands of `course`. The only door to the
+/// option parser: its header is slow to compile, so options.cpp alone includes it.
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace sr::course {
+
+/// How much time a figure is worth: a look, a lecture, a printed page.
+enum class Quality { draft, lecture, print };
+
+/// What a number is at each quality where the person names none.
+struct ByQuality {
+    int draft   = 0;
+    int lecture = 0;
+    int print   = 0;
+
+    [[nodiscard]] int at(Quality quality) const;
+};
+
+/// What a chapter states about its own options.
+struct Defaults {
+    ByQuality size          = {.draft = 128, .lecture = 512, .print = 1024};
+    ByQuality samples       = {.draft = 16, .lecture = 64, .print = 256};
+    bool      renders_scene = false;  ///< the program then takes --scene FILE.obj
+};
+
+/// What the person asked for, complete and checked.
+struct Options {
+    std::filesystem::path                out     = "figures";  ///< the chapter's folder is made in it
+    Quality                              quality = Quality::lecture;
+    int                                  size    = 512;  ///< longer edge of a render [pixels], 16 to 8192
+    int                                  samples = 64;   ///< per pixel or per estimate, 1 to 1'000'000
+    int                                  threads = 1;    ///< 1 to 1024; all cores by default
+    std::uint64_t                        seed    = 1;
+    std::vector<std::string>             formats = {"svg"};  ///< of svg, png, pdf, tex
+    std::optional<std::filesystem::path> scene   = std::nullopt;
+};
+
+/// The parsed options, or the exit code of a program that has nothing more to do: 0 after --help, 2 after
+/// one line on stderr that says what was wrong.
+struct Parsed {
+    std::optional<Options> options;
+    int                    exit_code = 0;
+};
+
+/// Reads the options of the program `name` ("01_rays") whose subject is `title`.
+[[nodiscard]] Parsed parse_options(int argc, const char* const* argv, std::string_view name,
+                                   std::string_view title, const Defaults& defaults);
+
+/// What a command does with the words that follow it and are not its options.
+enum class Rest {
+    none,        ///< there are none: any word is an error
+    words,       ///< words such as chapter names; an unknown option is an error
+    everything,  ///< words and unknown options, in the order given: `test -R camera`
+    verbatim,    ///< from the first word on everything belongs to another program: `run 01 --help`
+};
+
+/// An option of one command. `{"--csv", "FILE", "write the rows to FILE"}` takes a value,
+/// `{"--publish", "", "copy ..."}` is a flag.
+struct CommandOption {
+    std::string name;
+    std::string value;
+    std::string help;
+};
+
+/// What the person gave a command.
+struct Arguments {
+    std::vector<std::string> rest;    ///< the words, see `Rest`
+    std::vector<std::string> shared;  ///< the shared options as given: {"--size", "200"}; to pass on
+    std::vector<std::string> given;   ///< name, value (empty for a flag) of each option of the command
+
+    [[nodiscard]] bool                       has(std::string_view name) const;    ///< has("--publish")
+    [[nodiscard]] std::optional<std::string> value(std::string_view name) const;  ///< value("--csv")
+};
+
+/// A sub-command. Example, `figures [NN...] [--publish] [shared options]`:
+///     {.name = "figures", .help = "make the figures", .rest = Rest::words, .rest_name = "NN",
+///      .options = {{"--publish", "", "copy them to docs/pictures"}}, .takes_shared = true, .run = figures}
+struct Command {
+    std::string                          name;
+    std::string                          help;  ///< one line
+    Rest                                 rest         = Rest::none;
+    std::string                          rest_name    = {};  ///< as --help shows it: "NN"
+    std::vector<CommandOption>           options      = {};
+    bool                                 takes_shared = false;  ///< --size ... are checked here, to pass on
+    std::function<int(const Arguments&)> run;
+};
+
+/// Parses, calls the command and returns its exit code. No command: the list of them, exit code 0. What is
+/// not known gets one line on stderr with the nearest that is, and exit code 2; so does an exception of the
+/// command: `course: error: ...`.
+[[nodiscard]] int dispatch(int argc, const char* const* argv, std::string_view program,
+                           std::string_view about, const std::vector<Command>& commands);
+
+}  // namespace sr::course
