@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -75,7 +76,8 @@ struct CommandOption {
 struct Arguments {
     std::vector<std::string> rest;    ///< the words, see `Rest`
     std::vector<std::string> shared;  ///< the shared options as given: {"--size", "200"}; to pass on
-    std::vector<std::string> given;   ///< name, value (empty for a flag) of each option of the command
+    std::map<std::string, std::string>
+        given;  ///< name and value (empty for a flag) of the command's own options
 
     [[nodiscard]] bool                       has(std::string_view name) const;    ///< has("--publish")
     [[nodiscard]] std::optional<std::string> value(std::string_view name) const;  ///< value("--csv")

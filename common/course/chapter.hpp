@@ -1,0 +1,77 @@
+#pragma once
+/// @file chapter.hpp
+/// What a chapter's program is written with. How to use:
+///     int main(int argc, char** argv) {
+///         return course::run(argc, argv, "02_surfaces", "Surfaces", [](course::Chapter& chapter) {
+///             planes(chapter);
+///             spheres(chapter);
+///         });
+///     }
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "course/chart.hpp"
+#include "course/claim.hpp"
+#include "course/diagram.hpp"
+#include "course/figures.hpp"
+#include "course/options.hpp"
+#include "course/progress.hpp"
+#include "course/table.hpp"
+#include "course/timing.hpp"
+#include "image/image.hpp"
+#include "radiometry/spectrum.hpp"
+
+namespace sr::course {
+
+/// A chapter in progress: what the person asked for, and what has been said, charted and claimed so far.
+class Chapter {
+public:
+    Chapter(std::string name, Options options);
+
+    [[nodiscard]] const Options& options() const { return options_; }
+
+    /// Where this chapter's figures are written; exists.
+    [[nodiscard]] std::filesystem::path folder() const { return options_.out / name_; }
+
+    void section(std::string_view heading);  ///< "1.2 The image plane", on stdout
+    void say(std::string_view line);         ///< a fact that is no claim, such as a time
+    void say(const Rows& table);             ///< a small table, aligned
+
+    /// A chart or diagram to fill; written when the chapter ends.
+    [[nodiscard]] Chart   chart(std::string name, std::string title, Axes axes);
+    [[nodiscard]] Diagram diagram(std::string name, std::string title);
+
+    /// Writes NAME.png for looking and NAME.hdr for measuring.
+    void render(std::string_view name, std::string_view caption, const Image<Spectrum>& film);
+
+    /// |measured - expected| <= tolerance, or the program exits with 1.
+    void claim(std::string name, Measured value);
+    /// measured <= bound, or the program exits with 1.
+    void claim_at_most(std::string name, double measured, double bound);
+
+    /// Writes what is charted and claimed and prints the claims. @returns whether all of them hold
+    [[nodiscard]] bool finish();
+
+private:
+    std::string          name_;
+    Options              options_;
+    std::vector<Chart>   charts_;
+    std::vector<Diagram> diagrams_;
+    std::vector<Figure>  figures_;
+    std::vector<Claim>   claims_;
+};
+
+using Lecture = std::function<void(Chapter&)>;
+
+/// Runs a chapter's program from its options to its table of claims.
+/// @returns the exit code: 0, 1 when a claim failed, 2 after one line on stderr that says what was wrong
+[[nodiscard]] int run(int argc, const char* const* argv, std::string_view name, std::string_view title,
+                      const Defaults& defaults, const Lecture& lecture);
+[[nodiscard]] int run(int argc, const char* const* argv, std::string_view name, std::string_view title,
+                      const Lecture& lecture);
+
+}  // namespace sr::course

@@ -1,0 +1,85 @@
+#pragma once
+/// @file chart.hpp
+/// A chart is a table of rows and the statement which column is drawn along which axis. The table is kept as
+/// CSV, and gnuplot draws that file: the picture can't say anything else.
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "course/csv.hpp"
+
+namespace sr::course {
+
+/// Which axes are logarithmic.
+enum class axis { none, x, y, xy };
+
+enum class Marks { lines_points, lines, points, bars };
+
+/// The columns of a chart's CSV, and which of them are drawn.
+struct Columns {
+    std::vector<std::string> headers;  ///< all of them, in order
+    std::string              series;   ///< rows with the same text here are one curve, labelled with it
+    std::string              x;
+    std::string              y;
+    std::string              error = {};  ///< bars of y +- this: one standard error
+    std::string              min   = {};  ///< or bars from min to max
+    std::string              max   = {};
+};
+
+/// The columns of every speed/accuracy chart, `method,effort,seconds,error,error_se`, and what else it needs.
+[[nodiscard]] Columns speed_accuracy(const std::vector<std::string>& more = {});
+
+/// The axes of a chart. Titles are TeX with the unit: "distance [radii]", "$t$ [s]".
+struct Axes {
+    std::string x;
+    std::string y;
+    axis        log     = axis::none;
+    Columns     columns = {};  ///< by default `series`, the title of x, the title of y
+    Marks       marks   = Marks::lines_points;
+};
+
+/// A vertical line with a name, such as where two curves cross.
+struct MarkedX {
+    double      x;
+    std::string label;
+};
+
+/// Everything that a chart holds.
+struct ChartData {
+    std::string          name;   ///< stem of its files
+    std::string          title;  ///< TeX
+    Axes                 axes;
+    Rows                 table   = {};
+    std::string          caption = {};  ///< TeX; the claim that was measured
+    std::vector<MarkedX> marked  = {};
+};
+
+/// Handle of a chart; copies fill the same chart.
+class Chart {
+public:
+    Chart(std::string name, std::string title, Axes axes);
+
+    /// One point of a curve; `more` fills the columns that are neither of the three, in their order.
+    void add(std::string_view series, double x, double y, const std::vector<Cell>& more = {});
+
+    /// One row, a cell for each column.
+    void row(std::vector<Cell> cells);
+
+    /// The y of a curve where x is exactly this. @throws std::out_of_range when there is no such point
+    [[nodiscard]] double at(std::string_view series, double x) const;
+
+    void caption(std::string text) { data_->caption = std::move(text); }
+    void mark_x(double x, std::string label) { data_->marked.push_back({x, std::move(label)}); }
+
+    [[nodiscard]] const ChartData& data() const { return *data_; }
+
+private:
+    std::shared_ptr<ChartData> data_;
+};
+
+/// The rows with each curve in one piece, in the order in which the curves began: what the CSV holds.
+[[nodiscard]] Rows grouped_by_series(const ChartData& chart);
+
+}  // namespace sr::course

@@ -1,0 +1,26 @@
+#pragma once
+/// @file figures.hpp
+/// The list of a chapter's figures and the page that shows all of them.
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace sr::course {
+
+/// One figure of a chapter: what it is and the files that it left.
+struct Figure {
+    std::string              name;
+    std::string              kind;  ///< chart, diagram, render
+    std::string              title;
+    std::string              caption;
+    std::vector<std::string> files;  ///< in the chapter's folder, the picture to look at first
+};
+
+/// Writes `captions.csv` into the chapter's folder: figure,kind,title,caption,files.
+void write_captions(const std::filesystem::path& chapter, const std::vector<Figure>& figures);
+
+/// Writes `index.html`, one page of all chapters' figures and claims, from what their folders hold.
+void write_index(const std::filesystem::path& figures_root);
+
+}  // namespace sr::course

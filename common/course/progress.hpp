@@ -1,0 +1,43 @@
+#pragma once
+/// @file progress.hpp
+
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+#include <string>
+
+namespace sr::course {
+
+/// How far a long operation is, on stderr, with the time left: only on a terminal, and only where the whole
+/// will take over two seconds. Any number of threads may tick; a tick is an atomic addition and a look at the
+/// clock. The line is gone when the object is.
+///     Progress progress{"rendering", tiles};
+///     ... progress.tick();
+class Progress {
+public:
+    Progress(std::string what, std::int64_t steps);
+    ~Progress();
+    Progress(const Progress&)            = delete;
+    Progress& operator=(const Progress&) = delete;
+
+    /// One more step (or more than one) is done.
+    void tick(std::int64_t steps = 1);
+
+private:
+    using Clock = std::chrono::steady_clock;
+
+    void draw(std::int64_t done, double elapsed);
+
+    std::string               what_;
+    std::int64_t              steps_;
+    bool                      visible_;
+    Clock::time_point         start_ = Clock::now();
+    std::atomic<std::int64_t> done_  = 0;
+    std::atomic<std::int64_t> next_  = 0;  ///< when the line is drawn again [ms since the start]
+    std::atomic<bool>         drawn_ = false;
+};
+
+/// What the line says: "rendering  42 %, 13 s left". Empty while the whole is estimated at under two seconds.
+[[nodiscard]] std::string progress_line(const std::string& what, double fraction, double elapsed);
+
+}  // namespace sr::course
