@@ -2,15 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <cerrno>
 #include <csignal>
+#include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <stdexcept>
 
-#ifdef _WIN32
-#include <process.h>
-
-#include <cstdio>
-#else
+#ifndef _WIN32
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -29,7 +28,7 @@ namespace {
 
 /// Cuts what arrives into lines; the last may lack its end.
 class Lines {
-   public:
+public:
     explicit Lines(const EachLine& each_line) : each_line_(each_line) {}
 
     void add(std::string_view text) {
@@ -46,7 +45,7 @@ class Lines {
         if (!line_.empty()) each_line_(line_);
     }
 
-   private:
+private:
     const EachLine& each_line_;
     std::string     line_;
 };
@@ -81,15 +80,15 @@ void outlive(int signal) {
     if (signal == SIGTERM && child > 0) kill(child, SIGTERM);
 }
 
-/// For its lifetime an interrupt is the running program's to handle. A handler, unlike "ignore", does not pass
-/// on to that program.
+/// For its lifetime an interrupt is the running program's to handle. A handler, unlike "ignore", does not
+/// pass on to that program.
 class Outlive {
-   public:
+public:
     Outlive() {
-        interrupted              = 0;
-        struct sigaction action  = {};
-        action.sa_handler        = outlive;
-        action.sa_flags          = SA_RESTART;
+        interrupted             = 0;
+        struct sigaction action = {};
+        action.sa_handler       = outlive;
+        action.sa_flags         = SA_RESTART;
         sigaction(SIGINT, &action, &interrupt_);
         sigaction(SIGTERM, &action, &terminate_);
     }
@@ -100,22 +99,30 @@ class Outlive {
     Outlive(const Outlive&)            = delete;
     Outlive& operator=(const Outlive&) = delete;
 
-   private:
+private:
     struct sigaction interrupt_ = {};
     struct sigaction terminate_ = {};
 };
 
-/// Starts a program whose stdout and stderr go to `output`, or to ours where that is -1.
-pid_t start(const std::vector<std::string>& words, int output) {
+/// A pipe's two ends, or neither.
+struct Pipe {
+    int read_end  = -1;
+    int write_end = -1;
+};
+
+/// Starts a program whose stdout and stderr go into `output`, or to ours where that is no pipe.
+pid_t start(const std::vector<std::string>& words, const Pipe& output = {}) {
     std::vector<char*> arguments;
     for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
     arguments.push_back(nullptr);
 
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
-    if (output >= 0) {
-        posix_spawn_file_actions_adddup2(&actions, output, STDOUT_FILENO);
-        posix_spawn_file_actions_adddup2(&actions, output, STDERR_FILENO);
+    if (output.write_end >= 0) {
+        posix_spawn_file_actions_adddup2(&actions, output.write_end, STDOUT_FILENO);
+        posix_spawn_file_actions_adddup2(&actions, output.write_end, STDERR_FILENO);
+        posix_spawn_file_actions_addclose(&actions, output.write_end);
+        posix_spawn_file_actions_addclose(&actions, output.read_end);
     }
     pid_t     pid    = 0;
     const int reason = posix_spawnp(&pid, arguments[0], &actions, nullptr, arguments.data(), environ);
@@ -124,29 +131,34 @@ pid_t start(const std::vector<std::string>& words, int output) {
     return pid;
 }
 
+/// Waits for it to end.
 int exit_code(pid_t pid) {
     int status = 0;
-    while (waitpid(pid, &status, 0) < 0 && errno == EINTR) {}
+    while (waitpid(pid, &status, 0) < 0 && errno == EINTR) {
+    }
     child = 0;
     if (interrupted) return 128 + SIGINT;
     return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
 }
 
 int run_and_wait(const std::vector<std::string>& words, const EachLine& each_line) {
-    const Outlive      outlive_it;
-    std::array<int, 2> pipe_ends = {-1, -1};
-    if (!each_line) return exit_code(child = start(words, -1));
+    const Outlive outlive_it;
+    if (!each_line) {
+        child = start(words);
+        return exit_code(child);
+    }
 
-    if (pipe2(pipe_ends.data(), O_CLOEXEC) != 0) fail(words[0], errno);
-    child = start(words, pipe_ends[1]);
-    close(pipe_ends[1]);
+    std::array<int, 2> ends = {};
+    if (pipe(ends.data()) != 0) fail(words[0], errno);
+    child = start(words, {.read_end = ends[0], .write_end = ends[1]});
+    close(ends[1]);
     Lines                  lines(each_line);
     std::array<char, 4096> text;
     ssize_t                count = 0;
-    while ((count = read(pipe_ends[0], text.data(), text.size())) > 0)
+    while ((count = read(ends[0], text.data(), text.size())) > 0)
         lines.add({text.data(), static_cast<std::size_t>(count)});
     lines.end();
-    close(pipe_ends[0]);
+    close(ends[0]);
     return exit_code(child);
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 /// @file program.hpp
-/// Runs another program: a compiler, a chapter, gnuplot. No shell lies in between, so that no word needs quotes.
+/// Runs another program: a compiler, a chapter, gnuplot. No shell lies in between, so that no word needs
+/// quotes.
 
 #include <functional>
 #include <string>
@@ -12,8 +13,8 @@ namespace sr::course {
 /// Gets a program's output, stdout and stderr, line by line.
 using EachLine = std::function<void(std::string_view)>;
 
-/// Runs a program and waits until it ends. Ctrl-C reaches that program too: we outlive it, so that it can tidy
-/// up, and SIGTERM is passed on to it.
+/// Runs a program and waits until it ends. Ctrl-C reaches that program too: we outlive it, so that it can
+/// tidy up, and SIGTERM is passed on to it.
 /// @param words      the program, looked up on the PATH where it names no folder, and its arguments
 /// @param each_line  gets the output; without it the program writes where we write
 /// @return its exit code; 128 + n where signal n ended it; 130 after Ctrl-C, whatever the program made of it

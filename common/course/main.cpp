@@ -1,0 +1,328 @@
+/// @file main.cpp
+/// The command `course`: finds a chapter, a benchmark or the tests, builds what they need, runs them.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <regex>
+#include <stdexcept>
+#include <thread>
+
+#include "course/csv.hpp"
+#include "course/options.hpp"
+#include "course/program.hpp"
+#include "course/table.hpp"
+#include "course/terminal.hpp"
+
+namespace {
+
+namespace fs     = std::filesystem;
+namespace course = sr::course;
+using Words      = std::vector<std::string>;
+
+const fs::path source_folder = STERADIAN_SOURCE_DIR;
+const fs::path build_folder  = STERADIAN_BINARY_DIR;
+
+std::string program(const std::string& name) {
+    return (build_folder / "bin" / name).string();
+}
+
+std::string read_text(const fs::path& path) {
+    std::ifstream file(path);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// The first group of the first line in `text` that is all of `pattern`; empty where there is none.
+std::string first_line_like(const std::string& text, const std::string& pattern) {
+    std::smatch      found;
+    const std::regex line("(?:^|\n)" + pattern + "(?=\n|$)");
+    return std::regex_search(text, found, line) ? found.str(1) : "";
+}
+
+// ---------------------------------------------------------------------------------------- building
+
+/// Shows how far the build is, on a terminal, and keeps what else it says.
+class BuildLog {
+public:
+    void operator()(std::string_view line) {
+        const bool is_step = line.starts_with('[');
+        if (!is_step) said_ += fmt::format("{}\n", line);
+        // step 0 of n only looks for new files; a line that wraps could not be cleared
+        if (is_step && !line.starts_with("[0/") && course::stderr_is_terminal()) {
+            fmt::print(stderr, "\r\x1b[K{}", line.substr(0, 78));
+            shown_ = true;
+        }
+    }
+
+    /// All it said where it failed, else only what a compiler warned of.
+    void end(bool failed) {
+        if (shown_) fmt::print(stderr, "\r\x1b[K");
+        if (failed || said_.find("warning:") != std::string::npos) fmt::print(stderr, "{}", said_);
+    }
+
+private:
+    std::string said_;
+    bool        shown_ = false;
+};
+
+/// Brings targets up to date; all of them where none is named. @returns the build's exit code
+int build(const Words& targets) {
+    Words words = {"cmake", "--build", build_folder.string()};
+    if (!targets.empty()) words.push_back("--target");
+    words.insert(words.end(), targets.begin(), targets.end());
+
+    BuildLog  log;
+    const int code = course::run_program(words, std::ref(log));
+    log.end(code != 0);
+    return code;
+}
+
+// ---------------------------------------------------------------------------------------- chapters
+
+/// The folders of chapters/ that hold a program, in order: "01_rays", ...
+Words chapters() {
+    Words names;
+    for (const auto& entry : fs::directory_iterator(source_folder / "chapters"))
+        if (fs::exists(entry.path() / "main.cpp")) names.push_back(entry.path().filename().string());
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+/// The chapter that a person calls 1, 01, rays or 01_rays.
+std::string chapter_named(const std::string& word) {
+    const Words known = chapters();
+    for (const std::string& name : known) {
+        const std::string number = name.substr(0, 2);
+        if (word == name || word == name.substr(3) || word == number || "0" + word == number) return name;
+    }
+    throw std::invalid_argument(
+        fmt::format("there is no chapter '{}'; there are {}", word, fmt::join(known, ", ")));
+}
+
+/// The first heading of its text, without the number that the name has already.
+std::string title_of(const std::string& chapter) {
+    const std::string text = read_text(source_folder / "chapters" / chapter / "README.md");
+    return first_line_like(text, "# +(.+)");
+}
+
+bool names_out(const Words& options) {
+    return std::any_of(options.begin(), options.end(),
+                       [](const std::string& word) { return word == "--out" || word.starts_with("--out="); });
+}
+
+/// A chapter's program with its options. A relative --out means the person's folder; none means the course's
+/// own figures/.
+int run_chapter(const std::string& chapter, const Words& options) {
+    Words words = {program(chapter)};
+    if (!names_out(options)) words.insert(words.end(), {"--out", (source_folder / "figures").string()});
+    words.insert(words.end(), options.begin(), options.end());
+    return course::run_program(words);
+}
+
+int run(const course::Arguments& arguments) {
+    if (arguments.rest.empty())
+        throw std::invalid_argument(
+            fmt::format("run which chapter? There are {}", fmt::join(chapters(), ", ")));
+    const std::string chapter = chapter_named(arguments.rest.front());
+    if (const int code = build({chapter}); code != 0) return code;
+    return run_chapter(chapter, {arguments.rest.begin() + 1, arguments.rest.end()});
+}
+
+int list(const course::Arguments&) {
+    course::Rows table{{"chapter", "title"}};
+    for (const std::string& chapter : chapters()) table.add({chapter, title_of(chapter)});
+    course::print(table);
+    return 0;
+}
+
+// ----------------------------------------------------------------------------------------- figures
+
+constexpr std::uintmax_t published_limit = 150'000;  // bytes; a page of text shows several
+
+/// Copies the pictures of `chapter` that a text shows from `figures` to docs/pictures. A text names the
+/// picture 01_rays/loops.svg as docs/pictures/01_loops.svg.
+void publish(const std::string& chapter, const fs::path& figures) {
+    const fs::path pictures = source_folder / "docs" / "pictures";
+    std::string    text     = read_text(source_folder / "README.md");
+    for (const std::string& name : chapters())
+        text += read_text(source_folder / "chapters" / name / "README.md");
+
+    const std::regex shown("docs/pictures/" + chapter.substr(0, 3) + R"(([\w-]+\.(?:svg|png)))");
+    fs::create_directories(pictures);
+    for (std::sregex_iterator match(text.begin(), text.end(), shown), none; match != none; ++match) {
+        const fs::path figure = figures / chapter / match->str(1);
+        if (!fs::exists(figure))
+            throw std::runtime_error(fmt::format("a text shows {}, but the chapter did not make {}",
+                                                 match->str(), figure.string()));
+        if (fs::file_size(figure) > published_limit)
+            throw std::runtime_error(
+                fmt::format("{} has {} bytes, a published picture at most {}: choose a smaller --size",
+                            figure.string(), fs::file_size(figure), published_limit));
+        fs::copy_file(figure, pictures / (chapter.substr(0, 3) + match->str(1)),
+                      fs::copy_options::overwrite_existing);
+    }
+}
+
+/// Where the shared options put the figures.
+fs::path out_of(const Words& shared) {
+    const auto option = std::find(shared.begin(), shared.end(), "--out");
+    return option == shared.end() ? source_folder / "figures" : fs::path(*(option + 1));
+}
+
+int figures(const course::Arguments& arguments) {
+    Words chosen;
+    for (const std::string& word : arguments.rest) chosen.push_back(chapter_named(word));
+    if (chosen.empty()) chosen = chapters();
+    if (const int code = build(chosen); code != 0) return code;
+
+    int worst = 0;
+    for (const std::string& chapter : chosen) {
+        const int code = run_chapter(chapter, arguments.shared);
+        if (code > 128) return code;  // interrupted
+        worst = std::max(worst, code);
+    }
+    if (worst == 0 && arguments.has("--publish"))
+        for (const std::string& chapter : chosen) publish(chapter, out_of(arguments.shared));
+    return worst;
+}
+
+// ---------------------------------------------------------------------------------- tests, benchmarks
+
+int test(const course::Arguments& arguments) {
+    if (const int code = build({}); code != 0) return code;
+    Words words = {"ctest",
+                   "--test-dir",
+                   build_folder.string(),
+                   "--output-on-failure",
+                   "--no-tests=error",
+                   "--progress",
+                   "--parallel",
+                   std::to_string(std::thread::hardware_concurrency())};
+    words.insert(words.end(), arguments.rest.begin(), arguments.rest.end());
+    return course::run_program(words);
+}
+
+/// What `course bench` can measure: tests/speed/<topic>.cpp, a program, or tests/speed/<topic>.cmake, a
+/// script.
+std::vector<fs::path> topics() {
+    std::vector<fs::path> files;
+    for (const auto& entry : fs::directory_iterator(source_folder / "tests" / "speed"))
+        if (const fs::path type = entry.path().extension(); type == ".cpp" || type == ".cmake")
+            files.push_back(entry.path());
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+/// The first line of a file's comment that is not its name.
+std::string purpose_of(const fs::path& file) {
+    return first_line_like(read_text(file), file.extension() == ".cpp" ? "/// +([^@\n].*)" : "# +(.+)");
+}
+
+int list_topics() {
+    course::Rows table{{"topic", "what it measures"}};
+    for (const fs::path& file : topics()) table.add({file.stem().string(), purpose_of(file)});
+    course::print(table);
+    return 0;
+}
+
+fs::path topic_named(const std::string& word) {
+    Words known;
+    for (const fs::path& file : topics()) {
+        if (file.stem() == word) return file;
+        known.push_back(file.stem().string());
+    }
+    throw std::invalid_argument(
+        fmt::format("there is no benchmark '{}'; there are {}", word, fmt::join(known, ", ")));
+}
+
+int bench(const course::Arguments& arguments) {
+    if (arguments.rest.empty()) return list_topics();
+    const fs::path    file  = topic_named(arguments.rest.front());
+    const std::string topic = file.stem().string();
+    const auto        csv   = arguments.value("--csv");
+
+    Words words;
+    if (file.extension() == ".cpp") {
+        if (const int code = build({"bench_" + topic}); code != 0) return code;
+        words = {program("bench_" + topic)};
+        if (csv) words.insert(words.end(), {"--csv", *csv});
+        words.insert(words.end(), arguments.rest.begin() + 1, arguments.rest.end());
+    } else {
+        words = {"cmake"};
+        if (csv) words.push_back("-DCSV=" + fs::absolute(*csv).string());
+        words.insert(words.end(), {"-P", file.string()});
+    }
+    return course::run_program(words);
+}
+
+// ------------------------------------------------------------------------------------ site, doctor
+
+int docs(const course::Arguments&) {
+    if (const int code = build({"docs"}); code != 0) return code;
+    fmt::print("{}\n", (build_folder / "docs" / "html" / "index.html").string());
+    return 0;
+}
+
+/// Looks at the packages anew: the build folder's table is as old as its last configuration.
+course::Rows packages() {
+    std::string said;
+    const int   code = course::run_program({"cmake", build_folder.string()},
+                                           [&](std::string_view line) { said += fmt::format("{}\n", line); });
+    if (code != 0) fmt::print(stderr, "{}", said);
+    return course::read_csv(build_folder / "packages.csv");
+}
+
+int doctor(const course::Arguments&) {
+    const course::Rows table = packages();
+    course::Rows       shown{{"package", "state", "version", "what for"}};
+    std::string        commands;
+    bool               can_build = true;
+    for (const auto& row : table.rows) {
+        const bool missing = row[table.column("state")].text() == "missing";
+        shown.add({row[table.column("package")], row[table.column("state")], row[table.column("version")],
+                   row[table.column("purpose")]});
+        if (missing) commands += fmt::format("    {}\n", row[table.column("install")].text());
+        if (missing && row[table.column("need")].text() == "build") can_build = false;
+    }
+    course::print(shown);
+    if (!commands.empty()) fmt::print("\nTo install what is missing:\n{}", commands);
+    return can_build ? 0 : 1;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    using course::Rest;
+    return course::dispatch(
+        argc, argv, "course", "A course in ray tracing that you run.",
+        {{.name         = "figures",
+          .help         = "make the figures of all chapters, or of some",
+          .rest         = Rest::words,
+          .rest_name    = "NN",
+          .options      = {{"--publish", "", "copy what the texts show to docs/pictures"}},
+          .takes_shared = true,
+          .run          = figures},
+         {.name      = "run",
+          .help      = "run a chapter's program",
+          .rest      = Rest::verbatim,
+          .rest_name = "NN",
+          .run       = run},
+         {.name      = "test",
+          .help      = "build everything and run the tests; options go to ctest",
+          .rest      = Rest::everything,
+          .rest_name = "OPTION",
+          .run       = test},
+         {.name      = "bench",
+          .help      = "measure a topic; without one, the list of topics",
+          .rest      = Rest::everything,
+          .rest_name = "TOPIC",
+          .options   = {{"--csv", "FILE", "write the table to FILE"}},
+          .run       = bench},
+         {.name = "docs", .help = "make the site from the texts and the code", .run = docs},
+         {.name = "list", .help = "the chapters and their titles", .run = list},
+         {.name = "doctor", .help = "what is installed, what is missing and how to get it", .run = doctor}});
+}
