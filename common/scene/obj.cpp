@@ -1,0 +1,62 @@
+/// @file obj.cpp
+
+#include "scene/obj.hpp"
+
+#include <tiny_obj_loader.h>
+
+#include <stdexcept>
+
+#include "scene/obj_check.hpp"
+
+namespace sr {
+namespace {
+
+Spectrum to_spectrum(const double (&rgb)[3]) {
+    return {static_cast<float>(rgb[0]), static_cast<float>(rgb[1]), static_cast<float>(rgb[2])};
+}
+
+tinyobj::ObjReader parse(const CheckedObj& text, const std::filesystem::path& path) {
+    tinyobj::ObjReaderConfig config;
+    config.triangulate  = false;  // the checker did, always along the same diagonals
+    config.vertex_color = false;
+    tinyobj::ObjReader reader;
+    if (!reader.ParseFromString(text.obj, text.mtl, config)) {
+        throw std::runtime_error(path.string() + ": " + reader.Error());
+    }
+    return reader;
+}
+
+}  // namespace
+
+Scene read_obj(const std::filesystem::path& path) {
+    const tinyobj::ObjReader reader = parse(check_obj(path), path);
+
+    Scene       scene;
+    const auto& xyz = reader.GetAttrib().vertices;
+    for (std::size_t i = 0; i < xyz.size(); i += 3)
+        scene.mesh.vertices.push_back({xyz[i], xyz[i + 1], xyz[i + 2]});
+    for (const auto& material : reader.GetMaterials()) {
+        scene.materials.push_back(
+            {material.name, to_spectrum(material.diffuse), to_spectrum(material.emission)});
+    }
+
+    const auto grey     = static_cast<std::uint32_t>(scene.materials.size());
+    bool       any_grey = false;
+    for (const auto& shape : reader.GetShapes()) {
+        const auto& corners = shape.mesh.indices;
+        for (std::size_t i = 0; i < corners.size(); i += 3) {
+            Mesh<double>::Face face;
+            for (std::size_t k = 0; k < 3; ++k)
+                face[k] = static_cast<std::uint32_t>(corners[i + k].vertex_index);
+            scene.mesh.faces.push_back(face);
+            const int material = shape.mesh.material_ids[i / 3];
+            any_grey |= material < 0;
+            scene.material_of_face.push_back(material < 0 ? grey : static_cast<std::uint32_t>(material));
+        }
+    }
+    constexpr auto rho = static_cast<float>(default_reflectance);
+    if (any_grey) scene.materials.push_back({"grey", {rho, rho, rho}, {}});
+    return scene;
+}
+
+}  // namespace sr

@@ -1,0 +1,24 @@
+#pragma once
+/// @file obj_check.hpp
+/// What stands between a file and the OBJ library. The library turns "nan", "abc" and lines that are too
+/// short into 0 without a word, so each statement is looked at before it gets there.
+
+#include <filesystem>
+#include <string>
+
+namespace sr {
+
+/// Reflectance where a file names none: a neutral grey [1].
+inline constexpr double default_reflectance = 0.8;
+
+/// An OBJ file and its MTL files, checked and reduced to v, f, usemtl and newmtl, Kd, Ke. What the library
+/// reads is therefore what was checked: indices count from 1, faces are triangles, names are one word.
+struct CheckedObj {
+    std::string obj;
+    std::string mtl;  ///< all libraries of the file, one after the other
+};
+
+/// @throws std::runtime_error of one line, "file:line: what is wrong; what would be right"
+[[nodiscard]] CheckedObj check_obj(const std::filesystem::path& path);
+
+}  // namespace sr
