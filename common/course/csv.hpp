@@ -53,7 +53,8 @@ struct Rows {
 void write_csv(const std::filesystem::path& path, const Rows& table);
 
 /// Reads a CSV with a header; a field that reads as a number and was not quoted is one.
-/// @throws std::runtime_error with file and line where a row is shorter or longer than the header
+/// @throws std::runtime_error with file and row (the header is row 1) where a row is shorter or longer than
+/// the header
 [[nodiscard]] Rows read_csv(const std::filesystem::path& path);
 
 }  // namespace sr::course

@@ -48,7 +48,7 @@ struct Options {
 /// The parsed options, or the exit code of a program that has nothing more to do: 0 after --help, 2 after
 /// one line on stderr that says what was wrong.
 struct Parsed {
-    std::optional<Options> options;
+    std::optional<Options> options   = std::nullopt;
     int                    exit_code = 0;
 };
 

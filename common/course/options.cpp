@@ -1,0 +1,240 @@
+#include "course/options.hpp"
+
+#include <fmt/core.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <charconv>
+#include <stdexcept>
+#include <thread>
+
+#include "course/errors.hpp"
+#include "course/table.hpp"
+
+namespace sr::course {
+
+namespace {
+
+using Values = std::map<std::string, std::string>;
+
+int cores() {
+    return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
+/// "[128 draft, 512 lecture, 1024 print]"
+std::string by_quality(const ByQuality& n) {
+    return fmt::format("[{} draft, {} lecture, {} print]", n.draft, n.lecture, n.print);
+}
+
+std::vector<CommandOption> shared_options(const Defaults& defaults) {
+    std::vector<CommandOption> all{
+        {"--out", "DIR", "folder of the figures [figures]"},
+        {"--quality", "Q", "draft, lecture or print [lecture]"},
+        {"--size", "N", "longer edge of a render in pixels " + by_quality(defaults.size)},
+        {"--samples", "N", "samples per pixel or estimate " + by_quality(defaults.samples)},
+        {"--threads", "N", fmt::format("threads to use [all cores: {}]", cores())},
+        {"--seed", "N", "start of all random numbers [1]"},
+        {"--format", "LIST", "of svg, png, pdf, tex, separated by commas [svg]"}};
+    if (defaults.renders_scene)
+        all.push_back({"--scene", "FILE", "OBJ file to render in place of the chapter's scene"});
+    return all;
+}
+
+/// The value of an option as a whole number from `min` to `max`; `rule` says so in the error.
+template <class Integer>
+Integer whole_number(const std::string& option, const std::string& text, Integer min, Integer max,
+                     std::string_view rule) {
+    Integer     number{};
+    const char* end             = text.data() + text.size();
+    const auto [stopped, error] = std::from_chars(text.data(), end, number);
+    if (error != std::errc{} || stopped != end || number < min || number > max)
+        throw std::invalid_argument(fmt::format("{} {}: {}", option, text, rule));
+    return number;
+}
+
+Quality quality(const std::string& text) {
+    if (text == "draft") return Quality::draft;
+    if (text == "lecture") return Quality::lecture;
+    if (text == "print") return Quality::print;
+    throw std::invalid_argument(
+        fmt::format("--quality {}: the quality must be draft, lecture or print", text));
+}
+
+std::vector<std::string> formats(const std::string& text) {
+    const std::vector<std::string> known{"svg", "png", "pdf", "tex"};
+    std::vector<std::string>       chosen;
+    std::istringstream             list{text + ","};
+    for (std::string format; std::getline(list, format, ',');) {
+        if (std::find(known.begin(), known.end(), format) == known.end())
+            throw std::invalid_argument(fmt::format(
+                "--format {}: the formats must be of svg, png, pdf, tex, separated by commas", text));
+        if (std::find(chosen.begin(), chosen.end(), format) == chosen.end()) chosen.push_back(format);
+    }
+    return chosen;
+}
+
+Options checked(const Values& given, const Defaults& defaults) {
+    const auto value = [&](const char* name, const std::string& otherwise) {
+        const auto found = given.find(name);
+        return found == given.end() ? otherwise : found->second;
+    };
+    Options o;
+    o.out     = value("--out", "figures");
+    o.quality = quality(value("--quality", "lecture"));
+    o.size    = whole_number("--size", value("--size", std::to_string(defaults.size.at(o.quality))), 16, 8192,
+                             "the image's edge must be 16 to 8192 pixels");
+    o.samples = whole_number("--samples", value("--samples", std::to_string(defaults.samples.at(o.quality))),
+                             1, 1'000'000, "the number of samples must be 1 to 1000000");
+    o.threads = whole_number("--threads", value("--threads", std::to_string(cores())), 1, 1024,
+                             "the number of threads must be 1 to 1024");
+    o.seed    = whole_number("--seed", value("--seed", "1"), std::uint64_t{0}, ~std::uint64_t{0},
+                             "the seed must be a whole number from 0 to 18446744073709551615");
+    o.formats = formats(value("--format", "svg"));
+    if (given.contains("--scene")) o.scene = given.at("--scene");
+    return o;
+}
+
+/// A command line taken apart; nothing in it is checked yet.
+struct Parts {
+    Values                   values;  ///< of the known options that were given
+    std::vector<std::string> rest;
+    bool                     help = false;
+};
+
+/// @pre argv[0] is the program or the command
+Parts take_apart(int argc, const char* const* argv, const std::vector<CommandOption>& known, bool verbatim) {
+    CLI::App app;
+    Parts    parts;
+    Values   texts;
+    app.set_help_flag("-h,--help");
+    app.allow_extras();
+    app.prefix_command(verbatim);
+    for (const CommandOption& option : known)
+        if (option.value.empty())
+            app.add_flag(option.name);
+        else
+            app.add_option(option.name, texts[option.name])->take_last();
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::CallForHelp&) {
+        parts.help = true;
+        return parts;
+    } catch (const CLI::ArgumentMismatch&) {
+        for (const CommandOption& option : known)
+            if (!option.value.empty() && app.count(option.name) != 0 && texts[option.name].empty())
+                throw std::invalid_argument(fmt::format("{}: {} must follow", option.name, option.value));
+        throw;
+    }
+    for (const CommandOption& option : known)
+        if (app.count(option.name) != 0) parts.values[option.name] = texts[option.name];
+    parts.rest = app.remaining();
+    return parts;
+}
+
+bool is_option(const std::string& word) {
+    return word.size() > 1 && word.front() == '-';
+}
+
+[[noreturn]] void unknown_word(const std::string& word, const std::vector<CommandOption>& known) {
+    std::vector<std::string> names{"--help"};
+    for (const CommandOption& option : known) names.push_back(option.name);
+    const std::string name = word.substr(0, word.find('='));
+    throw std::invalid_argument(fmt::format("{}: unknown {}{}; see --help", name,
+                                            is_option(word) ? "option" : "word", did_you_mean(name, names)));
+}
+
+void print_help(std::string_view usage, std::string_view about, const std::vector<CommandOption>& options) {
+    Rows rows{{"option", "what it does"}};
+    for (const CommandOption& option : options)
+        rows.add({option.name + (option.value.empty() ? "" : " " + option.value), option.help});
+    rows.add({"--help", "this help"});
+    fmt::print("{}\n\nusage: {}\n\n{}", about, usage, to_text(rows));
+}
+
+/// The words of a command, as far as its kind of rest allows them.
+void check_rest(const Command& command, const std::vector<CommandOption>& known,
+                const std::vector<std::string>& rest) {
+    if (rest.empty() || command.rest == Rest::everything) return;
+    if (command.rest == Rest::none || is_option(rest.front())) unknown_word(rest.front(), known);
+    if (command.rest == Rest::verbatim) return;
+    const auto option = std::find_if(rest.begin(), rest.end(), is_option);
+    if (option != rest.end()) unknown_word(*option, known);
+}
+
+int run_command(int argc, const char* const* argv, std::string_view program, const Command& command) {
+    std::vector<CommandOption>       known  = command.options;
+    const std::vector<CommandOption> shared = command.takes_shared ? shared_options({}) : decltype(known){};
+    known.insert(known.end(), shared.begin(), shared.end());
+
+    const Parts parts = take_apart(argc, argv, known, command.rest == Rest::verbatim);
+    if (parts.help) {
+        const std::string rest = command.rest_name.empty() ? "" : " " + command.rest_name;
+        print_help(fmt::format("{} {}{} [options]", program, command.name, rest), command.help, known);
+        return 0;
+    }
+    check_rest(command, known, parts.rest);
+    if (command.takes_shared) (void)checked(parts.values, {});  // a mistake is told before anything is built
+
+    Arguments arguments{.rest = parts.rest, .shared = {}, .given = parts.values};
+    for (const CommandOption& option : shared)
+        if (arguments.has(option.name)) {
+            arguments.shared.insert(arguments.shared.end(), {option.name, arguments.given.at(option.name)});
+            arguments.given.erase(option.name);
+        }
+    return command.run(arguments);
+}
+
+}  // namespace
+
+int ByQuality::at(Quality quality) const {
+    return quality == Quality::draft ? draft : quality == Quality::lecture ? lecture : print;
+}
+
+Parsed parse_options(int argc, const char* const* argv, std::string_view name, std::string_view title,
+                     const Defaults& defaults) {
+    const std::vector<CommandOption> known = shared_options(defaults);
+    try {
+        const Parts parts = take_apart(argc, argv, known, false);
+        if (parts.help) {
+            print_help(fmt::format("{} [options]", name), fmt::format("{}: {}", name, title), known);
+            return {};
+        }
+        if (!parts.rest.empty()) unknown_word(parts.rest.front(), known);
+        return {.options = checked(parts.values, defaults)};
+    } catch (const std::exception& error) {
+        return {.exit_code = report_error(name, error.what())};
+    }
+}
+
+bool Arguments::has(std::string_view name) const {
+    return given.contains(std::string(name));
+}
+
+std::optional<std::string> Arguments::value(std::string_view name) const {
+    const auto found = given.find(std::string(name));
+    return found == given.end() ? std::nullopt : std::optional{found->second};
+}
+
+int dispatch(int argc, const char* const* argv, std::string_view program, std::string_view about,
+             const std::vector<Command>& commands) try {
+    const std::string name = argc > 1 ? argv[1] : "--help";
+    if (name == "--help" || name == "-h") {
+        Rows rows{{"command", "what it does"}};
+        for (const Command& command : commands)
+            rows.add({command.name + " " + command.rest_name, command.help});
+        fmt::print("{}\n\nusage: {} COMMAND [options]\n\n{}\n{} COMMAND --help tells more.\n", about, program,
+                   to_text(rows), program);
+        return 0;
+    }
+    std::vector<std::string> names;
+    for (const Command& command : commands) {
+        if (command.name == name) return run_command(argc - 1, argv + 1, program, command);
+        names.push_back(command.name);
+    }
+    throw std::invalid_argument(
+        fmt::format("{}: unknown command{}; see {} --help", name, did_you_mean(name, names), program));
+} catch (const std::exception& error) {
+    return report_error(program, error.what());
+}
+
+}  // namespace sr::course

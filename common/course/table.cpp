@@ -1,0 +1,57 @@
+#include "course/table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "course/terminal.hpp"
+
+namespace sr::course {
+
+namespace {
+
+std::string shown(const Cell& cell, int digits) {
+    const double number = cell.number();
+    const bool whole = cell.is_number() && cell.text().find_first_not_of("-0123456789") == std::string::npos;
+    return !cell.is_number() || whole ? cell.text() : fmt::format("{:.{}g}", number, digits);
+}
+
+/// `text` in a column of `columns`, its spaces on the left or the right.
+std::string padded(const std::string& text, std::size_t columns, bool right) {
+    const std::string spaces(columns - width(text), ' ');
+    return right ? spaces + text : text + spaces;
+}
+
+}  // namespace
+
+std::string to_text(const Rows& table, int digits) {
+    const std::size_t        columns = table.header.size();
+    std::vector<std::size_t> widths(columns);
+    std::vector<bool>        numbers(columns, !table.rows.empty());
+    for (std::size_t c = 0; c < columns; ++c) {
+        widths[c] = width(table.header[c]);
+        for (const auto& row : table.rows) {
+            widths[c]  = std::max(widths[c], width(shown(row[c], digits)));
+            numbers[c] = numbers[c] && row[c].is_number();
+        }
+    }
+
+    std::string text;
+    const auto  line = [&](const auto& cell) {
+        std::string joined;
+        for (std::size_t c = 0; c < columns; ++c)
+            joined += (c == 0 ? "  " : "   ") + padded(cell(c), widths[c], numbers[c]);
+        joined.erase(joined.find_last_not_of(' ') + 1);
+        return joined;
+    };
+    text += emphasise(line([&](std::size_t c) { return table.header[c]; }), Emphasis::strong) + '\n';
+    for (const auto& row : table.rows)
+        text += line([&](std::size_t c) { return shown(row[c], digits); }) + '\n';
+    return text;
+}
+
+void print(const Rows& table, int digits) {
+    fmt::print("{}", to_text(table, digits));
+}
+
+}  // namespace sr::course
