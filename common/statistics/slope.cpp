@@ -1,0 +1,53 @@
+/// @file slope.cpp
+
+#include "statistics/slope.hpp"
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+#include "statistics/running.hpp"
+
+namespace sr {
+namespace {
+
+double checked_log(double value, std::size_t point) {
+    if (value > 0 && value <= std::numeric_limits<double>::max()) return std::log(value);
+    throw std::invalid_argument("log-log slope: point " + std::to_string(point) + " is at " +
+                                std::to_string(value) + "; must be positive and finite");
+}
+
+}  // namespace
+
+Slope log_log_slope(std::span<const double> x, std::span<const double> y) {
+    if (x.size() != y.size() || x.size() < 3) {
+        throw std::invalid_argument("log-log slope of " + std::to_string(x.size()) + " x and " +
+                                    std::to_string(y.size()) + " y; must be three or more of each");
+    }
+    Running log_x, log_y;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        log_x.add(checked_log(x[i], i));
+        log_y.add(checked_log(y[i], i));
+    }
+
+    // from differences to the means, which is where the digits are
+    double sxx = 0, sxy = 0;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        const double dx = std::log(x[i]) - log_x.mean();
+        sxx += dx * dx;
+        sxy += dx * (std::log(y[i]) - log_y.mean());
+    }
+    if (!(sxx > 0))
+        throw std::invalid_argument("log-log slope: all points are at one x; must be two or more");
+    const double slope = sxy / sxx;
+
+    double residuals = 0;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        const double above = std::log(y[i]) - log_y.mean() - slope * (std::log(x[i]) - log_x.mean());
+        residuals += above * above;
+    }
+    return {slope, std::sqrt(residuals / static_cast<double>(x.size() - 2) / sxx)};
+}
+
+}  // namespace sr
