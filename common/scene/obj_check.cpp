@@ -25,8 +25,11 @@ namespace {
 
 using std::filesystem::path;
 
-[[noreturn]] void refuse(const path& file, const Statement& statement, const std::string& problem) {
-    throw std::runtime_error(fmt::format("{}:{}: {}", file.string(), statement.line, problem));
+template <class... Values>
+[[noreturn]] void refuse(const path& file, const Statement& statement, fmt::format_string<Values...> problem,
+                         Values&&... values) {
+    throw std::runtime_error(fmt::format("{}:{}: ", file.string(), statement.line) +
+                             fmt::format(problem, std::forward<Values>(values)...));
 }
 
 /// A word for an error message, which must stay one line that can be read.
@@ -51,9 +54,8 @@ std::vector<double> numbers(const path& file, const Statement& statement) {
     for (const std::string_view word : std::span(statement.words).subspan(1)) {
         const auto value = parse_number(word);
         if (!value)
-            refuse(file, statement,
-                   in_quotes(word) + " after " + in_quotes(statement.words[0]) +
-                       "; must be a number that is finite in float, such as -1.5e3");
+            refuse(file, statement, "{} after {}; must be a number that is finite in float, such as -1.5e3",
+                   in_quotes(word), statement.words[0]);
         values.push_back(*value);
     }
     return values;
@@ -62,9 +64,8 @@ std::vector<double> numbers(const path& file, const Statement& statement) {
 /// The one word after `usemtl` or `newmtl`.
 std::string name(const path& file, const Statement& statement) {
     if (statement.words.size() != 2) {
-        refuse(file, statement,
-               fmt::format("{} with {} words after it; must be one name without blanks", statement.words[0],
-                           statement.words.size() - 1));
+        refuse(file, statement, "{} with {} words after it; must be one name without blanks",
+               statement.words[0], statement.words.size() - 1);
     }
     return std::string(statement.words[1]);
 }
@@ -82,8 +83,7 @@ struct Library {
                 in_material = true;
                 add_name(file, statement);
             } else if (keyword == "Kd" || keyword == "Ke") {
-                if (!in_material)
-                    refuse(file, statement, std::string(keyword) + " of no material; must follow newmtl");
+                if (!in_material) refuse(file, statement, "{} of no material; must follow newmtl", keyword);
                 add_colour(file, statement);
             }
         });
@@ -92,7 +92,7 @@ struct Library {
 private:
     void add_name(const path& file, const Statement& statement) {
         const auto [it, is_new] = names.insert(name(file, statement));
-        if (!is_new) refuse(file, statement, "a second material " + in_quotes(*it) + "; names must differ");
+        if (!is_new) refuse(file, statement, "a second material {}; names must differ", in_quotes(*it));
         text += fmt::format("newmtl {0}\nKd {1} {1} {1}\n", *it, default_reflectance);
     }
 
@@ -102,9 +102,8 @@ private:
         const double limit = Kd ? 1 : std::numeric_limits<double>::infinity();
         const bool good = std::all_of(rgb.begin(), rgb.end(), [&](double v) { return v >= 0 && v <= limit; });
         if (rgb.size() != 3 || !good) {
-            refuse(file, statement,
-                   Kd ? "reflectance Kd must be three numbers from 0 to 1"
-                      : "emission Ke must be three numbers of 0 or more");
+            refuse(file, statement, "{} must be three numbers {}", Kd ? "reflectance Kd" : "emission Ke",
+                   Kd ? "from 0 to 1" : "of 0 or more");
         }
         text += fmt::format("{} {}\n", statement.words[0], fmt::join(rgb, " "));
     }
@@ -117,19 +116,21 @@ struct Known {
 };
 
 Known known(const path& file, std::string_view text) {
-    Known known;
+    Known found;
     for_each_statement(text, [&](const Statement& statement) {
-        if (statement.words[0] == "v") ++known.vertices;
+        if (statement.words[0] == "v") ++found.vertices;
         if (statement.words[0] != "mtllib") return;
-        const auto words = std::span(statement.words).subspan(1);
-        const path mtl   = file.parent_path() / fmt::format("{}", fmt::join(words, " "));
-        if (words.empty() || !is_regular_file(mtl)) {
-            refuse(file, statement,
-                   "no file " + in_quotes(mtl.string()) + "; mtllib must name one MTL file, beside this");
+        const auto        words = std::span(statement.words).subspan(1);
+        const std::string name  = fmt::format("{}", fmt::join(words, " "));
+        const path        mtl   = file.parent_path() / name;
+        std::error_code   error;
+        if (words.empty() || !is_regular_file(mtl, error)) {
+            refuse(file, statement, "no file {}; mtllib must name one MTL file, seen from here",
+                   in_quotes(name));
         }
-        known.library.add(mtl);
+        found.library.add(mtl);
     });
-    return known;
+    return found;
 }
 
 /// The number, counted from 1, of the vertex that "7", "7/1/2" or "-1" names.
@@ -140,17 +141,16 @@ long long vertex_number(const path& file, const Statement& statement, std::strin
     long long              index  = 0;
     const auto [end, error]       = std::from_chars(digits.data(), digits.data() + digits.size(), index);
     if (error != std::errc{} || end != digits.data() + digits.size()) {
-        refuse(file, statement,
-               "face corner " + in_quotes(corner) + "; must be a vertex number such as 7, -1 or 7/1/2");
+        refuse(file, statement, "face corner {}; must be a vertex number such as 7, -1 or 7/1/2",
+               in_quotes(corner));
     }
     if (index < 0 && index < -above) {
-        refuse(file, statement,
-               fmt::format("face corner {}; must be -1 to -{}, counted back over the vertices above",
-                           in_quotes(corner), above));
+        refuse(file, statement, "face corner {}; must be -1 to -{}, counted back over the vertices above",
+               in_quotes(corner), above);
     }
     if (index == 0 || index > all) {
-        refuse(file, statement,
-               fmt::format("face corner {}; must be 1 to {}, the file's vertices", in_quotes(corner), all));
+        refuse(file, statement, "face corner {}; must be 1 to {}, the file's vertices", in_quotes(corner),
+               all);
     }
     return index < 0 ? above + 1 + index : index;
 }
@@ -175,8 +175,8 @@ struct ObjChecker {
         } else if (keyword == "usemtl") {
             use_material(statement);
         } else if (std::find(passed_over.begin(), passed_over.end(), keyword) == passed_over.end()) {
-            refuse(file, statement,
-                   "unknown statement " + in_quotes(keyword) + "; must be v, f or another of polygon OBJ");
+            refuse(file, statement, "unknown statement {}; must be v, f or another of polygon OBJ",
+                   in_quotes(keyword));
         }
     }
 
@@ -184,7 +184,7 @@ private:
     void add_vertex(const Statement& statement) {
         const auto values = numbers(file, statement);
         if (values.size() < 3) {
-            refuse(file, statement, fmt::format("vertex of {} numbers; must be x y z", values.size()));
+            refuse(file, statement, "vertex of {} numbers; must be x y z", values.size());
         }
         kept += fmt::format("v {} {} {}\n", values[0], values[1], values[2]);
         ++vertices;
@@ -197,7 +197,7 @@ private:
             corners.push_back(vertex_number(file, statement, corner, vertices, known.vertices));
         }
         if (corners.size() < 3) {
-            refuse(file, statement, fmt::format("face of {} corners; must be 3 or more", corners.size()));
+            refuse(file, statement, "face of {} corners; must be 3 or more", corners.size());
         }
         for (std::size_t i = 2; i < corners.size(); ++i) {
             kept += fmt::format("f {} {} {}\n", corners[0], corners[i - 1], corners[i]);
@@ -208,10 +208,10 @@ private:
     void use_material(const Statement& statement) {
         const std::string material = name(file, statement);
         if (!known.library.names.contains(material)) {
-            refuse(file, statement,
-                   "material " + in_quotes(material) + "; must be a newmtl of an MTL file that mtllib names");
+            refuse(file, statement, "material {}; must be a newmtl of an MTL file that mtllib names",
+                   in_quotes(material));
         }
-        kept += "usemtl " + material + "\n";
+        kept += fmt::format("usemtl {}\n", material);
     }
 };
 
@@ -221,8 +221,10 @@ CheckedObj check_obj(const path& file) {
     const std::string text = read_text(file);
     ObjChecker        checker{file, known(file, text), {}};
     for_each_statement(text, [&](const Statement& statement) { checker.check(statement); });
-    if (checker.faces == 0)
-        throw std::runtime_error(file.string() + ": no faces; must have a line such as f 1 2 3");
+    if (checker.faces == 0) {
+        throw std::runtime_error(
+            fmt::format("{}: no faces; must have a line such as f 1 2 3", file.string()));
+    }
     if (checker.known.library.names.empty()) return {checker.kept, {}};
     return {"mtllib checked\n" + checker.kept, checker.known.library.text};
 }
