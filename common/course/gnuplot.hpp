@@ -1,0 +1,19 @@
+#pragma once
+/// @file gnuplot.hpp
+/// gnuplot as a function from a script to a picture.
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace sr::course {
+
+/// Runs gnuplot, without the person's own settings, and returns what the script draws on its standard output;
+/// nothing when gnuplot is not installed. The variable STERADIAN_GNUPLOT names another program; empty: none.
+/// @throws std::runtime_error "gnuplot: ..." with its own words when it can't draw the script
+[[nodiscard]] std::optional<std::string> run_gnuplot(std::string_view script);
+
+/// `text` between single quotes, as gnuplot reads a string.
+[[nodiscard]] std::string quoted(std::string_view text);
+
+}  // namespace sr::course

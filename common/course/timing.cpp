@@ -1,0 +1,23 @@
+#include "course/timing.hpp"
+
+#include <algorithm>
+
+namespace sr::course {
+
+std::vector<Timing> measure(const std::vector<Work>& all, int repeats) {
+    std::vector<std::vector<double>> seconds(all.size());
+    for (int repeat = 0; repeat < repeats; ++repeat)
+        for (std::size_t i = 0; i < all.size(); ++i) seconds[i].push_back(seconds_of(all[i].run));
+
+    std::vector<Timing> timings;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        std::vector<double>& sorted = seconds[i];
+        std::sort(sorted.begin(), sorted.end());
+        const double low  = sorted[(sorted.size() - 1) / 2];
+        const double high = sorted[sorted.size() / 2];
+        timings.push_back({all[i].name, (low + high) / 2, sorted.front(), sorted.back()});
+    }
+    return timings;
+}
+
+}  // namespace sr::course
