@@ -45,28 +45,30 @@ std::string first_line_like(const std::string& text, const std::string& pattern)
 
 // ---------------------------------------------------------------------------------------- building
 
-/// Shows how far the build is, on a terminal, and keeps what else it says.
+/// Shows of what a build says: its steps, on a terminal; warnings and errors, not the commands behind them.
 class BuildLog {
 public:
     void operator()(std::string_view line) {
-        const bool is_step = line.starts_with('[');
-        if (!is_step) said_ += fmt::format("{}\n", line);
-        // step 0 of n only looks for new files; a line that wraps could not be cleared
-        if (is_step && !line.starts_with("[0/") && course::stderr_is_terminal()) {
-            fmt::print(stderr, "\r\x1b[K{}", line.substr(0, 78));
-            shown_ = true;
+        const bool is_noise = line.starts_with("[0/") || line.starts_with("-- ") ||
+                              line.starts_with("ninja: ") || line.find(" -c ") != std::string_view::npos;
+        if (is_noise) return;
+        if (!line.starts_with('[')) {
+            clear();
+            fmt::print(stderr, "{}\n", line);
+        } else if (course::stderr_is_terminal()) {
+            fmt::print(stderr, "\r\x1b[K{}", line.substr(0, 78));  // a line that wraps could not be cleared
+            std::fflush(stderr);
+            is_shown_ = true;
         }
     }
 
-    /// All it said where it failed, else only what a compiler warned of.
-    void end(bool failed) {
-        if (shown_) fmt::print(stderr, "\r\x1b[K");
-        if (failed || said_.find("warning:") != std::string::npos) fmt::print(stderr, "{}", said_);
+    void clear() {
+        if (is_shown_) fmt::print(stderr, "\r\x1b[K");
+        is_shown_ = false;
     }
 
 private:
-    std::string said_;
-    bool        shown_ = false;
+    bool is_shown_ = false;
 };
 
 /// Brings targets up to date; all of them where none is named. @returns the build's exit code
@@ -77,7 +79,7 @@ int build(const Words& targets) {
 
     BuildLog  log;
     const int code = course::run_program(words, std::ref(log));
-    log.end(code != 0);
+    log.clear();
     return code;
 }
 
@@ -302,24 +304,24 @@ int main(int argc, char** argv) {
         {{.name         = "figures",
           .help         = "make the figures of all chapters, or of some",
           .rest         = Rest::words,
-          .rest_name    = "NN",
+          .rest_name    = "[NN...]",
           .options      = {{"--publish", "", "copy what the texts show to docs/pictures"}},
           .takes_shared = true,
           .run          = figures},
          {.name      = "run",
           .help      = "run a chapter's program",
           .rest      = Rest::verbatim,
-          .rest_name = "NN",
+          .rest_name = "NN [OPTION...]",
           .run       = run},
          {.name      = "test",
           .help      = "build everything and run the tests; options go to ctest",
           .rest      = Rest::everything,
-          .rest_name = "OPTION",
+          .rest_name = "[CTEST OPTION...]",
           .run       = test},
          {.name      = "bench",
           .help      = "measure a topic; without one, the list of topics",
           .rest      = Rest::everything,
-          .rest_name = "TOPIC",
+          .rest_name = "[TOPIC]",
           .options   = {{"--csv", "FILE", "write the table to FILE"}},
           .run       = bench},
          {.name = "docs", .help = "make the site from the texts and the code", .run = docs},
