@@ -1,0 +1,12 @@
+# find_program_of("Clang" result): the program of a package of packages.csv, the newest of its names that is here.
+function(find_program_of package result)
+    file(STRINGS ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/packages.csv row REGEX "^${package},")
+    string(REPLACE "," ";" row "${row}")
+    list(GET row 2 names)
+    separate_arguments(names UNIX_COMMAND "${names}")
+    find_program(path NAMES ${names} NO_CACHE)
+    if(NOT path)
+        message(FATAL_ERROR "missing: ${package}; `course doctor` tells how to install it")
+    endif()
+    set(${result} ${path} PARENT_SCOPE)
+endfunction()

@@ -1,0 +1,12 @@
+# Fails unless every .hdr under ONE is to the bit the one under OTHER, and there is one at least.
+file(GLOB_RECURSE images RELATIVE ${ONE} ${ONE}/*.hdr)
+if(NOT images)
+    message(FATAL_ERROR "no image in ${ONE}")
+endif()
+foreach(image ${images})
+    file(SHA256 ${ONE}/${image} one)
+    file(SHA256 ${OTHER}/${image} other)
+    if(NOT one STREQUAL other)
+        message(SEND_ERROR "${image} differs: ${ONE} ${OTHER}")
+    endif()
+endforeach()

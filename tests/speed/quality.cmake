@@ -1,0 +1,25 @@
+# Is the code sound where no test looks? Clang, sanitizers, clang-tidy, and the same images from two compilers.
+include(${CMAKE_CURRENT_LIST_DIR}/../steps.cmake)
+include(${source}/common/find_program_of.cmake)
+
+step("GCC: build" COMMAND cmake --preset default COMMAND cmake --build --preset default)
+step("Clang: build" COMMAND cmake --preset clang COMMAND cmake --build --preset clang)
+
+foreach(compiler default clang)
+    file(REMOVE_RECURSE ${logs}/${compiler})
+    step("${compiler}: draft of all figures"
+        COMMAND ${source}/build/${compiler}/bin/course figures --quality draft --out ${logs}/${compiler})
+endforeach()
+step("images: GCC and Clang agree to the bit"
+    COMMAND ${CMAKE_COMMAND} -DONE=${logs}/default -DOTHER=${logs}/clang -P ${source}/tests/same_images.cmake)
+
+step("Clang: tests" COMMAND ctest --preset clang)
+step("sanitizers: build" COMMAND cmake --preset checked COMMAND cmake --build --preset checked)
+step("sanitizers: tests" COMMAND ctest --preset checked)
+
+# clang-tidy looks at each file as it is compiled, on all cores; the code itself need not be fast here
+find_program_of("clang-tidy" tidy)
+step("clang-tidy"
+    COMMAND cmake --preset clang -B ${source}/build/tidy -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_CLANG_TIDY=${tidy}
+    COMMAND cmake --build ${source}/build/tidy)
+end_steps()
