@@ -145,9 +145,10 @@ private:
         return next;
     }
 
-    /// Not at a pole, where two of the corners are one.
+    /// Not at a pole, where two corners are one, nor the lip of a spout that level 1 makes flat.
     void add_face(const Mesh<double>::Face& face) {
-        if (face[0] != face[1] && face[1] != face[2] && face[2] != face[0]) mesh_.faces.push_back(face);
+        const Triangle<double> t{mesh_.vertices[face[0]], mesh_.vertices[face[1]], mesh_.vertices[face[2]]};
+        if (area_vector(t) != Point{}) mesh_.faces.push_back(face);
     }
 
     std::size_t                                    n_;

@@ -9,9 +9,10 @@ namespace sr {
 inline constexpr int max_teapot_level = 500;
 
 /// The teapot that Martin Newell modelled at Utah in 1975, z up, about 6.5 long and 3.15 high: 32 bicubic
-/// Bezier patches, each cut into level x level quadrilaterals of two triangles. Triangles that the poles of
-/// the lid and of the bottom shrink to nothing are left out: 64 level^2 - 8 level remain. Faces look
-/// outwards, and patches that meet share their vertices.
+/// Bezier patches, each cut into level x level quadrilaterals of two triangles. Triangles without an area, which
+/// the poles of the lid and of the bottom make, are left out: 64 level^2 - 8 level remain (52 at level 1, whose
+/// handle and spout are flat). Faces look outwards, and patches that meet share their vertices. The surface ends
+/// at the rim and the lid, between which is a gap, and at both ends of handle and spout.
 /// @pre 1 <= level <= max_teapot_level
 /// @throws std::invalid_argument otherwise
 [[nodiscard]] Mesh<double> teapot(int level);
