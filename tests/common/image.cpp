@@ -1,0 +1,168 @@
+/// @file image.cpp
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+
+#include "image/image.hpp"
+#include "image/write_image.hpp"
+
+#define STB_IMAGE_IMPLEMENTATION
+#include <stb_image.h>
+
+using namespace sr;
+
+namespace {
+
+/// A file of this test's own, gone with it.
+struct ScratchFile {
+    std::filesystem::path path;
+
+    explicit ScratchFile(const std::string& name)
+        : path{std::filesystem::path(STERADIAN_BINARY_DIR) / name} {}
+    ~ScratchFile() { std::filesystem::remove(path); }
+
+    [[nodiscard]] std::string bytes() const {
+        std::ostringstream all;
+        all << std::ifstream(path, std::ios::binary).rdbuf();
+        return all.str();
+    }
+};
+
+/// What the writer says to the picture, "" if it has nothing to say.
+template <class Write>
+std::string complaint(Write write, const std::filesystem::path& path, const Image<Spectrum>& image) {
+    try {
+        write(path, image);
+    } catch (const std::runtime_error& error) {
+        return error.what();
+    }
+    return "";
+}
+
+}  // namespace
+
+TEST_CASE("image: row after row from the top left corner") {
+    Image<int> image(3, 2);
+    image(2, 0) = 7;
+    image(0, 1) = 8;
+    CHECK(image.width() == 3);
+    CHECK(image.height() == 2);
+    CHECK(image.pixels().size() == 6);
+    CHECK(image.pixels()[2] == 7);
+    CHECK(image.pixels()[3] == 8);
+    CHECK(image == image);
+    CHECK(image != Image<int>(3, 2, 5));
+}
+
+TEST_CASE("image: a side of no pixels, or of too many, is refused") {
+    CHECK_THROWS_AS(Image<int>(0, 1), std::invalid_argument);
+    CHECK_THROWS_AS(Image<int>(1, -1), std::invalid_argument);
+    CHECK_THROWS_WITH(Image<int>(100'000, 1), "image width 100000: must be 1 to 16384 pixels");
+}
+
+TEST_CASE("png: sRGB's transfer function, clamped, and each channel and pixel in its place") {
+    const ScratchFile file("image_test.png");
+    Image<Spectrum>   image(3, 2);
+    image(0, 0) = {0, 1, 0.5f};
+    image(1, 0) = {0.18f, 0.0031308f, 0.001f};  // middle grey; the end of the straight piece; on it
+    image(2, 0) = {-1, 2, 1e30f};               // clamped
+    image(0, 1) = {0.725f, 0.065f, 0.05f};
+    write_png(file.path, image);
+
+    int            width = 0, height = 0, channels = 0;
+    unsigned char* pixels = stbi_load(file.path.string().c_str(), &width, &height, &channels, 0);
+    REQUIRE(pixels != nullptr);
+    CHECK(width == 3);
+    CHECK(height == 2);
+    CHECK(channels == 3);
+    // 255 (1.055 v^(1/2.4) - 0.055) by another program, rounded
+    const int expected[] = {0, 255, 188, 118, 10, 3, 0, 255, 255, 221, 72, 63, 0, 0, 0, 0, 0, 0};
+    for (int i = 0; i < 18; ++i) {
+        CAPTURE(i);
+        CHECK(int{pixels[i]} == expected[i]);
+    }
+    stbi_image_free(pixels);
+}
+
+TEST_CASE("hdr: three mantissas and one exponent, decoded by hand") {
+    const ScratchFile file("image_test.hdr");
+    Image<Spectrum>   image(2, 2);
+    image(0, 0) = {1, 0.5f, 0.25f};
+    image(1, 0) = {0, 0, 0};
+    image(0, 1) = {17, 12, 4};
+    image(1, 1) = {1e-20f, 3e37f, 1e30f};
+    write_hdr(file.path, image);
+
+    const std::string bytes  = file.bytes();
+    const std::string header = "-Y 2 +X 2\n";
+    CHECK(bytes.starts_with("#?RADIANCE\n"));
+    const std::size_t start = bytes.find(header) + header.size();
+    REQUIRE(bytes.size() == start + 4 * 4);
+    for (std::size_t i = 0; i < 4; ++i) {
+        CAPTURE(i);
+        const auto byte = [&](std::size_t k) { return static_cast<unsigned char>(bytes[start + 4 * i + k]); };
+        const double unit    = byte(3) == 0 ? 0 : std::ldexp(1.0, byte(3) - 136);
+        const auto   s       = image.pixels()[i];
+        const double largest = static_cast<double>(std::max({s.r, s.g, s.b}));
+        CHECK(std::abs(unit * byte(0) - static_cast<double>(s.r)) <= largest / 128);
+        CHECK(std::abs(unit * byte(1) - static_cast<double>(s.g)) <= largest / 128);
+        CHECK(std::abs(unit * byte(2) - static_cast<double>(s.b)) <= largest / 128);
+    }
+}
+
+TEST_CASE("hdr: a wide image, whose rows are run-length encoded, and the same bytes each time") {
+    const ScratchFile file("image_test_wide.hdr");
+    Image<Spectrum>   image(300, 3);
+    for (int y = 0; y < 3; ++y) {
+        for (int x = 0; x < 300; ++x)
+            image(x, y) = {x < 200 ? 1.0f : static_cast<float>(x), static_cast<float>(y), 2};
+    }
+    write_hdr(file.path, image);
+    const std::string first = file.bytes();
+    write_hdr(file.path, image);
+    CHECK(file.bytes() == first);
+
+    int    width = 0, height = 0, channels = 0;
+    float* pixels = stbi_loadf(file.path.string().c_str(), &width, &height, &channels, 3);
+    REQUIRE(pixels != nullptr);
+    REQUIRE(width == 300);
+    REQUIRE(height == 3);
+    float worst = 0;
+    for (std::size_t i = 0; i < 900; ++i) {
+        const Spectrum s     = image.pixels()[i];
+        const float    error = std::max({std::abs(pixels[3 * i] - s.r), std::abs(pixels[3 * i + 1] - s.g),
+                                         std::abs(pixels[3 * i + 2] - s.b)});
+        worst                = std::max(worst, error / std::max({s.r, s.g, s.b}));
+    }
+    CHECK(worst <= 1.0f / 128);
+    stbi_image_free(pixels);
+}
+
+TEST_CASE("a pixel that no format can hold is named, and nothing is written") {
+    const float       nan = std::numeric_limits<float>::quiet_NaN();
+    const float       inf = std::numeric_limits<float>::infinity();
+    const ScratchFile file("image_test_bad.any");
+    Image<Spectrum>   image(4, 3, {1, 1, 1});
+
+    image(3, 2) = {0, nan, 0};
+    CHECK(complaint(write_png, file.path, image).find("pixel (3, 2) is (0, nan, 0): must be finite") !=
+          std::string::npos);
+    CHECK(complaint(write_hdr, file.path, image).find("pixel (3, 2) is (0, nan, 0): must be 0 or more") !=
+          std::string::npos);
+    image(3, 2) = {0, 0, -inf};
+    CHECK(complaint(write_png, file.path, image).find("pixel (3, 2)") != std::string::npos);
+    CHECK(complaint(write_hdr, file.path, image).find("pixel (3, 2)") != std::string::npos);
+    image(3, 2) = {-1e-6f, 0, 3e38f};
+    CHECK(complaint(write_hdr, file.path, image).find("pixel (3, 2)") != std::string::npos);
+    CHECK(!std::filesystem::exists(file.path));
+    CHECK(complaint(write_png, file.path, image) == "");
+    CHECK(std::filesystem::exists(file.path));
+}
