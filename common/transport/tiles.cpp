@@ -1,5 +1,7 @@
 #include "transport/tiles.hpp"
 
+#include <tbb/global_control.h>
+#include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
@@ -28,7 +30,10 @@ void for_each_pixel(int width, int height, const TileLoop& loop,
         if (loop.on_tile) loop.on_tile(count, rows * columns);
     };
 
-    tbb::task_arena arena(loop.threads > 0 ? loop.threads : tbb::task_arena::automatic);
+    const int                 threads = loop.threads > 0 ? loop.threads : tbb::info::default_concurrency();
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
+                                    static_cast<std::size_t>(threads));
+    tbb::task_arena           arena(threads);
     arena.execute([&] { tbb::parallel_for(0, rows * columns, tile); });
 }
 

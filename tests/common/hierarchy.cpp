@@ -1,0 +1,171 @@
+#include "geometry/hierarchy.hpp"
+
+#include <doctest/doctest.h>
+
+#include <atomic>
+#include <cmath>
+#include <string>
+
+#include "sampling/rng.hpp"
+#include "scene/cornell_box.hpp"
+#include "scene/teapot.hpp"
+#include "transport/tiles.hpp"
+
+using namespace sr;
+
+namespace {
+
+template <class T>
+Vector3<T> random_in(const Box<T>& box, Rng& rng) {
+    const T x = T(rng.uniform()), y = T(rng.uniform()), z = T(rng.uniform());
+    return box.min + Vector3<T>{x, y, z} * box.size();
+}
+
+template <class T>
+Box<T> bounds(const Mesh<T>& mesh) {
+    Box<T> box;
+    for (const auto& vertex : mesh.vertices) box.include(vertex);
+    return box;
+}
+
+/// Rays of every awkward kind in turn: from anywhere to anywhere, along an axis with zeros of both signs, in
+/// the plane of a coordinate that a vertex has, aimed at edges and at vertices, from a point of the mesh.
+template <class T>
+Ray<T> awkward_ray(const Mesh<T>& mesh, const Box<T>& around, Rng& rng) {
+    const auto        face     = static_cast<std::uint32_t>(rng.uniform() * float(mesh.faces.size()));
+    const Triangle<T> triangle = mesh.triangle(face);
+    const Vector3<T>  o        = random_in(around, rng);
+    const T           u        = T(rng.uniform());
+    const auto        axis     = static_cast<int>(rng.uniform() * 3);
+    const T           zero     = rng.uniform() < 0.5F ? T(0) : -T(0);
+    Vector3<T>        along(zero);
+    along[axis] = rng.uniform() < 0.5F ? T(1) : T(-1);
+    switch (static_cast<int>(rng.uniform() * 6)) {
+        case 0:
+            return {o, random_in(around, rng) - o};
+        case 1:
+            return {o, along};
+        case 2:
+            return {triangle.a - T(100) * along, along};  // grazes boxes that touch this vertex
+        case 3:
+            return {o, triangle.a + u * (triangle.b - triangle.a) - o};
+        case 4:
+            return {o, triangle.c - o};
+        default:
+            return {triangle.a + u * (triangle.c - triangle.a), random_in(around, rng) - o};
+    }
+}
+
+/// Thin, tiny, flat, coinciding and far away: triangles nobody should make, each of them twice.
+template <class T>
+Mesh<T> terrible_mesh() {
+    Mesh<T> mesh;
+    Rng     rng{3, 1, 4, 1};
+    for (std::uint32_t i = 0; i < 120; ++i) {
+        Box<T>     box{Vector3<T>(-1), Vector3<T>(1)};
+        const auto a = random_in(box, rng), b = random_in(box, rng), c = random_in(box, rng);
+        const T    small[] = {T(1), T(1e-3), T(1e-6), T(0)};
+        mesh.vertices.insert(mesh.vertices.end(), {a, b, a + small[i % 4] * (c - a)});
+        if (i % 5 == 0)
+            mesh.vertices.back().z = mesh.vertices[3 * i].z = mesh.vertices[3 * i + 1].z = T(0.25);
+        for (int twice = 0; twice < 2; ++twice) mesh.faces.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+    }
+    return mesh;
+}
+
+struct Differences {
+    int rays = 0, different = 0, hits = 0;
+};
+
+template <class T>
+Differences compare(const Mesh<T>& mesh, int rays) {
+    const Hierarchy<T>  hierarchy(mesh);
+    const BruteForce<T> all(mesh);
+    Box<T>              around = bounds(mesh);
+    around.include(around.min - around.size());
+    around.include(around.max + around.size());
+
+    std::atomic<int> different = 0, hits = 0;
+    const int        side = static_cast<int>(std::sqrt(double(rays)));
+    for_each_pixel(side, side, {.threads = 0}, [&](int x, int y) {
+        Rng        rng{5, static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y), 0};
+        const auto ray      = awkward_ray(mesh, around, rng);
+        const auto expected = all.nearest(ray);
+        if (!(hierarchy.nearest(ray) == expected)) ++different;
+        if (hierarchy.occluded(ray) != expected.has_value()) ++different;
+        // The range's ends belong to it: up to the hit it is found, just short of it another or none.
+        if (expected) {
+            ++hits;
+            if (!(hierarchy.nearest(ray, {0, expected->t}) == expected)) ++different;
+            const Interval<T> beyond{std::nextafter(expected->t, expected->t + 1), in_front<T>.max};
+            if (!(hierarchy.nearest(ray, beyond) == all.nearest(ray, beyond))) ++different;
+        }
+    });
+    return {side * side, different, hits};
+}
+
+}  // namespace
+
+TEST_CASE("the hierarchy equals brute force to the bit, on a million rays") {
+    Differences sum;
+    for (const auto& [mesh, rays] : {std::pair{convert<float>(cornell_box().mesh), 400 * 400},
+                                     {convert<float>(teapot(2)), 800 * 800},
+                                     {terrible_mesh<float>(), 500 * 500}}) {
+        const auto found = compare(mesh, rays);
+        CHECK(found.different == 0);
+        CHECK(found.hits >= found.rays / 5);
+        sum.rays += found.rays;
+    }
+    CHECK(sum.rays >= 1'000'000);
+}
+
+TEST_CASE("the hierarchy equals brute force to the bit in double") {
+    CHECK(compare(teapot(2), 200 * 200).different == 0);
+    CHECK(compare(terrible_mesh<double>(), 200 * 200).different == 0);
+}
+
+TEST_CASE("at equal t the lower face wins, in whatever order the triangles are kept") {
+    auto mesh = convert<float>(teapot(3));
+    for (std::size_t i = 0, count = mesh.faces.size(); i < count; ++i) mesh.faces.push_back(mesh.faces[i]);
+    const Hierarchy<float> hierarchy(mesh);
+    const auto             around = bounds(mesh);
+    int                    hits   = 0;
+    for (std::uint32_t i = 0; i < 2000; ++i) {
+        Rng        rng{1, i, 0, 0};
+        const Vec3 o   = random_in(around, rng) + Vec3{0, 0, 10};
+        const auto hit = hierarchy.nearest(Ray<float>{o, {0, 0, -1}});
+        if (!hit) continue;
+        ++hits;
+        CHECK(hit->face < mesh.faces.size() / 2);
+    }
+    CHECK(hits >= 500);
+}
+
+TEST_CASE("meshes without a good cut: none, one, and a thousand triangles in one place") {
+    const Ray<float> ray{{0.25F, 0.25F, 1}, {0, 0, -1}};
+    Mesh<float>      mesh;
+    CHECK(!Hierarchy<float>(mesh).nearest(ray));
+    mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    mesh.faces    = {{0, 1, 2}};
+    REQUIRE(Hierarchy<float>(mesh).nearest(ray));
+    mesh.faces.assign(1000, {0, 1, 2});
+    const auto hit = Hierarchy<float>(mesh).nearest(ray);
+    REQUIRE(hit);
+    CHECK(hit->face == 0);
+    CHECK(hit->t == 1);
+}
+
+TEST_CASE("a staircase of boxes does not make the tree too deep to walk") {
+    // Each triangle is ten times as far away as the last: every cut takes off one.
+    Mesh<double> mesh;
+    for (std::uint32_t i = 0; i < 300; ++i) {
+        const double s = std::pow(10.0, double(i) - 150);
+        mesh.vertices.insert(mesh.vertices.end(), {{0, 0, s}, {s, 0, s}, {0, s, s}});
+        mesh.faces.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+    }
+    const Hierarchy<double> hierarchy(mesh);
+    for (const double x : {1e-140, 1e-3, 1e100}) {
+        const Ray<double> ray{{x, x, 0}, {0, 0, 1}};
+        CHECK(hierarchy.nearest(ray) == BruteForce<double>(mesh).nearest(ray));
+    }
+}

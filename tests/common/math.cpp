@@ -1,0 +1,78 @@
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <initializer_list>
+#include <limits>
+
+#include "math/difference_of_products.hpp"
+#include "math/frame.hpp"
+#include "math/interval.hpp"
+
+using namespace sr;
+
+namespace {
+
+/// The largest deviation of a frame from being orthonormal and right-handed.
+double error_of(const Frame<float>& frame) {
+    const Frame<double> f{frame.s, frame.t, frame.n};
+    double              worst = length(cross(f.s, f.t) - f.n);
+    for (const double dot_with_itself : {dot(f.s, f.s), dot(f.t, f.t)}) {
+        worst = std::fmax(worst, std::abs(dot_with_itself - 1));
+    }
+    for (const double dot_with_other : {dot(f.s, f.t), dot(f.s, f.n), dot(f.t, f.n)}) {
+        worst = std::fmax(worst, std::abs(dot_with_other));
+    }
+    return worst;
+}
+
+/// Frisvad's frame, which Duff et al. repair.
+Frame<float> frisvad(Vec3 n) {
+    const float a = 1 / (1 + n.z), b = -n.x * n.y * a;
+    return {{1 - n.x * n.x * a, b, -n.x}, {b, 1 - n.y * n.y * a, -n.y}, n};
+}
+
+}  // namespace
+
+TEST_CASE("an interval is closed and does not contain NaN") {
+    const Interval<float> interval{1, 2};
+    CHECK(interval.contains(1));
+    CHECK(interval.contains(2));
+    CHECK(!interval.contains(std::nextafter(2.0F, 3.0F)));
+    CHECK(!interval.contains(std::numeric_limits<float>::quiet_NaN()));
+    CHECK(!interval.empty());
+    CHECK(Interval<float>{2, 1}.empty());
+    CHECK(Interval<float>{std::numeric_limits<float>::quiet_NaN(), 1}.empty());
+}
+
+TEST_CASE("a frame is orthonormal in every direction, and next to -z where Frisvad's is not") {
+    double worst = 0, worst_of_frisvad = 0;
+    for (int i = 0; i <= 2000; ++i) {
+        for (const double phi : {0.0, 0.7, 2.0, 4.0}) {
+            // Angles to -z from 0 to pi, dense near zero.
+            const double theta = i == 0 ? 0.0 : std::acos(-1.0) * std::pow(10.0, -5.0 * (1 - i / 2000.0));
+            const Vec3   n = Vector3<double>{std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi),
+                                             -std::cos(theta)};
+            worst          = std::fmax(worst, error_of(frame_around(n)));
+            if (theta > 0) worst_of_frisvad = std::fmax(worst_of_frisvad, error_of(frisvad(n)));
+        }
+    }
+    CHECK(worst <= 4e-7);
+    CHECK(worst_of_frisvad >= 0.01);
+}
+
+TEST_CASE("a frame's local and world directions are inverse") {
+    const auto            frame = frame_around(normalize(Vector3<double>{1, -2, -3}));
+    const Vector3<double> w{0.3, -0.2, 0.9};
+    CHECK(length(frame.to_world(frame.to_local(w)) - w) <= 1e-15);
+    CHECK(length(frame.to_world({0, 0, 1}) - frame.n) <= 1e-15);
+}
+
+TEST_CASE("the difference of products keeps its sign where the plain one is zero") {
+    // Stability S15: (1.0001, 1, 0) x (1, 0.9999, 0) in float.
+    const float  a = 1.0001F, b = 0.9999F;
+    const double exact = double{a} * double{b} - 1.0;
+    CHECK(a * b - 1.0F * 1.0F == 0.0F);
+    CHECK(std::abs(difference_of_products(a, b, 1.0F, 1.0F) / exact - 1) <= 1e-7);
+    CHECK(difference_of_products(1.0F, 1.0F, a, b) > 0);
+    CHECK(difference_of_products(3.0, 4.0, 2.0, 6.0) == 0.0);
+}

@@ -1,0 +1,99 @@
+#include "scene/rasteriser.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "geometry/hierarchy.hpp"
+#include "scene/cornell_box.hpp"
+#include "scene/teapot.hpp"
+#include "scene/visibility_difference.hpp"
+#include "transport/primary.hpp"
+
+using namespace sr;
+
+namespace {
+
+struct View {
+    Mesh<double>   mesh;
+    Camera<double> camera;
+};
+
+View cornell(int side) {
+    using namespace cornell_camera;
+    return {cornell_box().mesh, pinhole_camera(position, direction, up, focal_length, film_side, side, side)};
+}
+
+View pot(int level, Vector3<double> eye) {
+    const Vector3<double> target{0.2, 0, 1.4};
+    return {teapot(level), pinhole_camera<double>(eye, target - eye, {0, 0, 1}, 1.0, 0.8, 320, 240)};
+}
+
+/// The two images of a view in the precision T, counted pixel by pixel.
+template <class T>
+VisibilityDifference compare(const View& view) {
+    const auto         mesh   = convert<T>(view.mesh);
+    const auto         camera = convert<T>(view.camera);
+    const Hierarchy<T> hierarchy(mesh);
+    return compare_visibility(trace_primary(hierarchy, camera, {.threads = 0}), rasterise(mesh, camera), mesh,
+                              camera);
+}
+
+View in_camera_space(const View& view) {
+    return {to_camera_space(view.mesh, view.camera), sr::in_camera_space(view.camera)};
+}
+
+}  // namespace
+
+TEST_CASE_TEMPLATE("rasteriser and ray tracer see the same, to the triangle", T, float, double) {
+    for (const View& view :
+         {cornell(300), pot(4, {4, -7, 4.5}), pot(12, {-6, -4, 3}), pot(12, {0, 0.001, 9})}) {
+        const auto world = compare<T>(view);
+        CHECK(world.pixels == view.camera.width * view.camera.height);
+        CHECK(world.hit >= 10'000);
+        CHECK(world.hit_or_missed == 0);
+        CHECK(world.unexplained == 0);
+        // With the camera in the origin no digit is lost on the way to either, and nothing is left to explain.
+        const auto moved = compare<T>(in_camera_space(view));
+        CHECK(moved.hit_or_missed == 0);
+        CHECK(moved.other_triangle == 0);
+    }
+}
+
+TEST_CASE("the comparison notices a camera that is off by a hundredth of a pixel") {
+    const auto             view   = pot(12, {4, -7, 4.5});
+    const auto             mesh   = convert<float>(view.mesh);
+    const auto             camera = convert<float>(view.camera);
+    const Hierarchy<float> hierarchy(mesh);
+    VisibilityImage<float> shifted(camera.width, camera.height);
+    for_each_pixel(camera.width, camera.height, {}, [&](int x, int y) {
+        const auto hit = hierarchy.nearest(camera.ray({float(x) + 0.51F, float(y) + 0.5F}));
+        if (hit) shifted(x, y) = {hit->t, hit->face};
+    });
+    const auto difference = compare_visibility(shifted, rasterise(mesh, camera), mesh, camera);
+    CHECK(difference.hit_or_missed >= 1);
+    CHECK(difference.unexplained >= 10);
+}
+
+TEST_CASE("a triangle that reaches behind the camera is drawn where rays meet it") {
+    const Mesh<float> floor{{{-50, -1, -50}, {50, -1, -50}, {0, -1, 80}}, {{0, 1, 2}}};
+    const auto        camera =
+        convert<float>(pinhole_camera<double>({0, 0, 0}, {0, 0, 1}, {0, 1, 0}, 1.0, 1.0, 64, 64));
+    const auto difference = compare_visibility(trace_primary(BruteForce<float>(floor), camera),
+                                               rasterise(floor, camera), floor, camera);
+    CHECK(difference.hit >= 1000);
+    CHECK(difference.hit_or_missed == 0);
+}
+
+TEST_CASE("at equal t the lower face is drawn") {
+    Mesh<float> mesh{{{-1, -1, 5}, {1, -1, 5}, {0, 1, 5}}, {{0, 1, 2}, {1, 2, 0}}};
+    const auto  camera =
+        convert<float>(pinhole_camera<double>({0, 0, 0}, {0, 0, 1}, {0, 1, 0}, 1.0, 1.0, 32, 32));
+    int drawn = 0;
+    for (const auto& pixel : rasterise(mesh, camera).pixels()) {
+        if (!pixel.hit()) continue;
+        ++drawn;
+        CHECK(pixel.face == 0);
+    }
+    CHECK(drawn >= 30);
+}
