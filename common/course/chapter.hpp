@@ -57,12 +57,15 @@ public:
     [[nodiscard]] bool finish();
 
 private:
-    std::string          name_;
-    Options              options_;
-    std::vector<Chart>   charts_;
-    std::vector<Diagram> diagrams_;
-    std::vector<Figure>  figures_;
-    std::vector<Claim>   claims_;
+    void take_name(const std::string& name);
+
+    std::string              name_;
+    Options                  options_;
+    std::vector<Chart>       charts_;
+    std::vector<Diagram>     diagrams_;
+    std::vector<Figure>      figures_;
+    std::vector<Claim>       claims_;
+    std::vector<std::string> names_;  ///< of all figures, each its own file
 };
 
 using Lecture = std::function<void(Chapter&)>;

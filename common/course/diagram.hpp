@@ -8,12 +8,10 @@
 #include <vector>
 
 #include "course/csv.hpp"
+#include "course/label_layout.hpp"
 #include "course/style.hpp"
-#include "math/vector.hpp"
 
 namespace sr::course {
-
-using Point = Vector2<double>;
 
 enum class Weight { thin, medium, thick };
 

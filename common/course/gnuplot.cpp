@@ -138,7 +138,7 @@ std::optional<std::string> run_gnuplot(std::string_view script) {
     return ended->output;
 }
 
-std::string quoted(std::string_view text) {
+std::string gnuplot_string(std::string_view text) {
     std::string result = "'";
     for (const char c : text) result += c == '\'' ? std::string{"''"} : std::string{c};
     return result + "'";

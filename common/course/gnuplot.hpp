@@ -14,6 +14,6 @@ namespace sr::course {
 [[nodiscard]] std::optional<std::string> run_gnuplot(std::string_view script);
 
 /// `text` between single quotes, as gnuplot reads a string.
-[[nodiscard]] std::string quoted(std::string_view text);
+[[nodiscard]] std::string gnuplot_string(std::string_view text);
 
 }  // namespace sr::course

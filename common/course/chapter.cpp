@@ -1,0 +1,179 @@
+#include "course/chapter.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "course/draw.hpp"
+#include "course/errors.hpp"
+#include "course/gnuplot.hpp"
+#include "course/terminal.hpp"
+#include "image/whole_file.hpp"
+#include "image/write_image.hpp"
+
+namespace sr::course {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Makes the folder, and finds out before any work is done whether figures can be written there.
+void prepare(const fs::path& out, const fs::path& folder) {
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (error)
+        throw std::runtime_error(
+            fmt::format("--out {}: cannot make {}: {}", out.string(), folder.string(), error.message()));
+    const fs::path probe = folder / ".probe";
+    try {
+        write_whole_file(probe, "");
+    } catch (const std::exception& reason) {
+        throw std::runtime_error(fmt::format("--out {}: {}", out.string(), reason.what()));
+    }
+    fs::remove(probe, error);
+}
+
+/// A figure's name is that of its files.
+void check_name(std::string_view name, const std::vector<std::string>& taken) {
+    const bool plain =
+        !name.empty() && name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_") == name.npos;
+    if (!plain)
+        throw std::invalid_argument(fmt::format("figure {}: its name must be of a-z, 0-9 and _", name));
+    if (std::find(taken.begin(), taken.end(), name) != taken.end())
+        throw std::invalid_argument(fmt::format("figure {}: this name is taken", name));
+}
+
+/// A figure's data and, where gnuplot is there, its pictures.
+template <class Script>
+std::vector<std::string> write_drawn(const fs::path& folder, const std::string& name, const Rows& data,
+                                     const std::vector<std::string>& formats, const Script& script) {
+    const fs::path csv = folder / (name + ".csv");
+    write_csv(csv, data);
+    std::vector<std::string> files{name + ".csv"};
+    for (const std::string& format : formats) {
+        const std::optional<std::string> picture = run_gnuplot(script(csv, format));
+        if (!picture) continue;
+        files.push_back(name + "." + format);
+        write_whole_file(folder / files.back(), *picture);
+    }
+    return files;
+}
+
+void print_claims(const std::vector<Claim>& claims) {
+    if (claims.empty()) return;
+    const auto failed = std::count_if(claims.begin(), claims.end(), [](const Claim& c) { return !c.pass(); });
+    fmt::print("\n{}", to_text(to_rows(claims)));
+    if (failed == 0)
+        fmt::print("{}\n", emphasise(fmt::format("{} claims, all hold", claims.size()), Emphasis::good));
+    else
+        fmt::print("{}\n",
+                   emphasise(fmt::format("{} of {} claims failed", failed, claims.size()), Emphasis::bad));
+}
+
+}  // namespace
+
+Chapter::Chapter(std::string name, Options options) : name_{std::move(name)}, options_{std::move(options)} {
+    prepare(options_.out, folder());
+}
+
+void Chapter::section(std::string_view heading) {
+    fmt::print("\n{}\n", emphasise(heading, Emphasis::strong));
+    std::fflush(stdout);
+}
+
+void Chapter::say(std::string_view line) {
+    fmt::print("  {}\n", line);
+    std::fflush(stdout);
+}
+
+void Chapter::say(const Rows& table) {
+    print(table);
+    std::fflush(stdout);
+}
+
+Chart Chapter::chart(std::string name, std::string title, Axes axes) {
+    take_name(name);
+    return charts_.emplace_back(std::move(name), std::move(title), std::move(axes));
+}
+
+Diagram Chapter::diagram(std::string name, std::string title) {
+    take_name(name);
+    return diagrams_.emplace_back(std::move(name), std::move(title));
+}
+
+void Chapter::render(std::string_view name, std::string_view caption, const Image<Spectrum>& film) {
+    const std::string stem{name};
+    take_name(stem);
+    write_png(folder() / (stem + ".png"), film);
+    write_hdr(folder() / (stem + ".hdr"), film);
+    figures_.push_back({stem, "render", "", std::string{caption}, {stem + ".png", stem + ".hdr"}});
+}
+
+void Chapter::claim(std::string name, Measured value) {
+    claims_.push_back({std::move(name), value});
+}
+
+void Chapter::claim_at_most(std::string name, double measured, double bound) {
+    claims_.push_back(at_most(std::move(name), measured, bound));
+}
+
+bool Chapter::finish() {
+    for (const Chart& chart : charts_) {
+        const ChartData& data = chart.data();
+        figures_.push_back({data.name, "chart", data.title, data.caption,
+                            write_drawn(folder(), data.name, grouped_by_series(data), options_.formats,
+                                        [&](const auto& csv, const auto& format) {
+                                            return chart_script(data, csv, format);
+                                        })});
+    }
+    for (const Diagram& diagram : diagrams_) {
+        const DiagramData& data = diagram.data();
+        figures_.push_back({data.name, "diagram", data.title, data.caption,
+                            write_drawn(folder(), data.name, to_rows(data), options_.formats,
+                                        [&](const auto& csv, const auto& format) {
+                                            return diagram_script(data, csv, format);
+                                        })});
+    }
+    const bool undrawn =
+        std::any_of(figures_.begin(), figures_.end(), [](const Figure& f) { return f.files.size() < 2; });
+    if (undrawn)
+        say("gnuplot was not found: the data are written without pictures; `./course doctor` says how to get "
+            "it");
+
+    write_csv(folder() / "claims.csv", to_rows(claims_));
+    write_captions(folder(), figures_);
+    write_index(options_.out);
+    print_claims(claims_);
+    fmt::print("\n{} figures in {}, all of them in {}\n", figures_.size(), folder().string(),
+               (options_.out / "index.html").string());
+    return std::all_of(claims_.begin(), claims_.end(), [](const Claim& claim) { return claim.pass(); });
+}
+
+void Chapter::take_name(const std::string& name) {
+    check_name(name, names_);
+    names_.push_back(name);
+}
+
+int run(int argc, const char* const* argv, std::string_view name, std::string_view title,
+        const Defaults& defaults, const Lecture& lecture) {
+    end_cleanly_on_interrupt();
+    const Parsed parsed = parse_options(argc, argv, name, title, defaults);
+    if (!parsed.options) return parsed.exit_code;
+    try {
+        Chapter chapter{std::string{name}, *parsed.options};
+        fmt::print("{}\n", emphasise(title, Emphasis::strong));
+        lecture(chapter);
+        return chapter.finish() ? 0 : claim_failed;
+    } catch (const std::exception& error) {
+        std::fflush(stdout);
+        return report_error(name, error.what());
+    }
+}
+
+int run(int argc, const char* const* argv, std::string_view name, std::string_view title,
+        const Lecture& lecture) {
+    return run(argc, argv, name, title, {}, lecture);
+}
+
+}  // namespace sr::course

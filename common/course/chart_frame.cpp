@@ -1,0 +1,271 @@
+#include "course/chart_frame.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace sr::course {
+
+namespace {
+
+constexpr FontSize label_size = FontSize::normal;
+constexpr double   label_gap  = 12;                    // between a curve's end and its label
+constexpr double   label_wrap = 0.24 * Canvas::width;  // a longer label takes two lines
+
+bool is_log(const ChartData& chart, axis which) {
+    return chart.axes.log == axis::xy || chart.axes.log == which;
+}
+
+/// The point of a curve with the largest x, wherever it stands in the CSV.
+Point end_of(const Curve& curve) {
+    return *std::max_element(curve.points.begin(), curve.points.end(),
+                             [](const Point& a, const Point& b) { return a.x < b.x; });
+}
+
+/// The smallest and largest of some values.
+struct Extent {
+    double min = std::numeric_limits<double>::infinity();
+    double max = -std::numeric_limits<double>::infinity();
+
+    void include(double value, bool log) {
+        if (!std::isfinite(value) || (log && value <= 0)) return;
+        min = std::min(min, value);
+        max = std::max(max, value);
+    }
+};
+
+/// A round step: about a sixth of the range.
+double round_step(double range) {
+    const double raw   = range / 6;
+    const double power = std::pow(10, std::floor(std::log10(raw)));
+    for (const double step : {1.0, 2.0, 2.5, 5.0})
+        if (raw <= step * power) return step * power;
+    return 10 * power;
+}
+
+/// The ends of an axis that shows all of `extent` and a little more.
+Scale scale_of(Extent extent, bool log) {
+    if (log) {
+        const double decades = std::log10(extent.max / extent.min);
+        const double margin  = std::pow(10, std::max(0.05 * decades, 0.04));
+        return {.log = true, .min = extent.min / margin, .max = extent.max * margin};
+    }
+    if (extent.min > 0 && extent.min < 0.5 * extent.max)
+        extent.min = 0;  // show how large, not only how different
+    const double range =
+        extent.max > extent.min ? extent.max - extent.min : std::max(1.0, std::abs(extent.max));
+    const double step = round_step(range);
+    return {.min = std::floor(extent.min / step) * step,
+            .max = std::ceil((extent.max + 0.02 * range) / step) * step};
+}
+
+Extent y_extent(const ChartData& chart, const std::vector<Curve>& curves) {
+    const Columns& columns = chart.axes.columns;
+    const bool     log     = is_log(chart, axis::y);
+    Extent         extent;
+    for (const Curve& curve : curves)
+        for (const Point& p : curve.points) extent.include(p.y, log);
+    for (const auto& row : chart.table.rows) {
+        const auto value = [&](const std::string& name) { return row[chart.table.column(name)].number(); };
+        if (!columns.min.empty()) extent.include(value(columns.min), log);
+        if (!columns.max.empty()) extent.include(value(columns.max), log);
+        // of y - error only the upper half counts on a logarithmic axis: it may be close to 0
+        if (!columns.error.empty()) extent.include(value(columns.y) + value(columns.error), log);
+        if (!columns.error.empty() && !log) extent.include(value(columns.y) - value(columns.error), log);
+    }
+    if (chart.axes.marks == Marks::bars && !log) extent.include(0, false);
+    return extent;
+}
+
+Extent x_extent(const ChartData& chart, const std::vector<Curve>& curves) {
+    Extent extent;
+    for (const Curve& curve : curves)
+        for (const Point& p : curve.points) extent.include(p.x, is_log(chart, axis::x));
+    for (const MarkedX& mark : chart.marked) extent.include(mark.x, is_log(chart, axis::x));
+    return extent;
+}
+
+/// A label's lines and the room that they take.
+struct TextBlock {
+    explicit TextBlock(const std::string& tex) : lines{wrapped(tex, label_size, label_wrap)} {
+        for (const std::string& line : lines) width = std::max(width, text_width(line, label_size));
+    }
+
+    [[nodiscard]] double height() const {
+        return static_cast<double>(lines.size()) * line_height(label_size);
+    }
+    [[nodiscard]] Box at(Point left) const {
+        return {{left.x, left.y - height() / 2}, {left.x + width, left.y + height() / 2}};
+    }
+    /// @param left  left end and middle of the block
+    [[nodiscard]] PlacedLabel placed(Point left, Ink ink) const {
+        return {lines, ink, {left.x, left.y + (height() - line_height(label_size)) / 2}};
+    }
+
+    std::vector<std::string> lines;
+    double                   width = 0;
+};
+
+/// Finds a place for each label of a chart whose axes are laid out.
+class Labeller {
+public:
+    Labeller(const Frame& frame, const std::vector<Curve>& curves) : frame_{frame} {
+        for (const Curve& curve : curves) {
+            std::vector<Point>& line = obstacles_.curves.emplace_back();
+            for (const Point& p : curve.points) {
+                line.push_back(on_canvas(p));
+                obstacles_.boxes.push_back({line.back() - 5.0, line.back() + 5.0});
+            }
+        }
+    }
+
+    void at_mark(const MarkedX& mark) {
+        const TextBlock    block{mark.label};
+        const double       x = frame_.x(mark.x);
+        std::vector<Point> places;
+        for (double y = frame_.y.to - block.height() / 2; y > frame_.y.from; y -= line_height(label_size) / 2)
+            places.insert(places.end(), {{x + 6, y}, {x - 6 - block.width, y}});
+        place(block, places, Ink::grey);
+        obstacles_.curves.push_back({{x, frame_.y.from}, {x, frame_.y.to}});
+    }
+
+    /// Beside a point of the curve, the nearer to its end the better.
+    void at_curve(const Curve& curve) {
+        const TextBlock    block{curve.name};
+        const double       up = block.height() / 2 + 8;
+        std::vector<Point> places;
+        std::vector<Point> points = curve.points;
+        std::sort(points.begin(), points.end(), [](const Point& a, const Point& b) { return a.x > b.x; });
+        for (const Point& p : points) {
+            const Point end = on_canvas(p);
+            for (const Point& shift : {Point{label_gap, 0},
+                                       {8, up},
+                                       {8, -up},
+                                       {-block.width / 2, up + 4},
+                                       {-block.width / 2, -up - 4},
+                                       {-block.width - 8, up},
+                                       {-block.width - 8, -up}})
+                places.push_back(end + shift);
+        }
+        place(block, places, curve.ink);
+    }
+
+    /// In the right margin, as near as there is room to the heights at which the curves end.
+    void in_margin(const std::vector<const Curve*>& curves) {
+        std::vector<double> ends;
+        double              tallest = 0;
+        for (const Curve* curve : curves) {
+            ends.push_back(on_canvas(end_of(*curve)).y);
+            tallest = std::max(tallest, TextBlock{curve->name}.height());
+        }
+        const std::vector<double> heights =
+            spread(ends, tallest, frame_.y.from + tallest / 2, frame_.y.to - tallest / 2);
+        for (std::size_t i = 0; i < curves.size(); ++i) {
+            const TextBlock block{curves[i]->name};
+            const Point     end   = on_canvas(end_of(*curves[i]));
+            const Point     left  = {frame_.x.to + label_gap, heights[i]};
+            PlacedLabel     label = block.placed(left, curves[i]->ink);
+            if (std::abs(left.y - end.y) > 6 || left.x - end.x > 3 * label_gap)
+                label.leader = {end + Point{7, 0}, left - Point{3, 0}};
+            labels.push_back(label);
+            obstacles_.boxes.push_back(block.at(left));
+        }
+    }
+
+    std::vector<PlacedLabel> labels;
+
+private:
+    [[nodiscard]] Point on_canvas(Point value) const { return {frame_.x(value.x), frame_.y(value.y)}; }
+
+    /// At the first place that covers nothing, or else the one that covers least.
+    void place(const TextBlock& block, const std::vector<Point>& places, Ink ink) {
+        const auto cost = [&](Point left) {
+            const Box  box    = block.at(left);
+            const bool inside = box.min.x >= frame_.x.from && box.max.x <= Canvas::width - 4 &&
+                                box.min.y >= frame_.y.from && box.max.y <= frame_.y.to + 4;
+            return obstacles_.covered_by(box) + (inside ? 0 : 1000);
+        };
+        Point best   = places.front();
+        int   lowest = cost(best);
+        for (const Point& left : places)
+            if (const int covered = lowest == 0 ? 0 : cost(left); covered < lowest) {
+                best   = left;
+                lowest = covered;
+            }
+        labels.push_back(block.placed(best, ink));
+        obstacles_.boxes.push_back(block.at(best));
+    }
+
+    const Frame& frame_;
+    Obstacles    obstacles_;
+};
+
+}  // namespace
+
+double Scale::operator()(double value) const {
+    const double share = log ? std::log(value / min) / std::log(max / min) : (value - min) / (max - min);
+    return from + share * (to - from);
+}
+
+std::vector<Curve> curves_of(const ChartData& chart, const Rows& grouped) {
+    const std::size_t  series = grouped.column(chart.axes.columns.series);
+    const std::size_t  x      = grouped.column(chart.axes.columns.x);
+    const std::size_t  y      = grouped.column(chart.axes.columns.y);
+    std::vector<Curve> curves;
+    for (std::size_t i = 0; i < grouped.rows.size(); ++i) {
+        const auto& row = grouped.rows[i];
+        if (curves.empty() || curves.back().name != row[series].text())
+            curves.push_back({row[series].text(), static_cast<Ink>(curves.size() % inks), i, i, {}});
+        curves.back().last_row = i;
+        const Point p{row[x].number(), row[y].number()};
+        const bool shown = std::isfinite(p.x) && std::isfinite(p.y) && (p.x > 0 || !is_log(chart, axis::x)) &&
+                           (p.y > 0 || !is_log(chart, axis::y));
+        if (shown) curves.back().points.push_back(p);
+    }
+    if (curves.empty()) throw std::invalid_argument(fmt::format("chart {}: it has no rows", chart.name));
+    for (const Curve& curve : curves)
+        if (curve.points.empty())
+            throw std::invalid_argument(
+                fmt::format("chart {}: no point of {} can be drawn on its axes (a value that "
+                            "is not finite, or not positive on a logarithmic axis)",
+                            chart.name, curve.name));
+    return curves;
+}
+
+Frame lay_out(const ChartData& chart, const std::vector<Curve>& curves) {
+    Frame frame;
+    frame.title          = wrapped(chart.title, FontSize::title, 0.95 * Canvas::width);
+    frame.caption        = chart.caption.empty() ? std::vector<std::string>{}
+                                                 : wrapped(chart.caption, FontSize::small, 0.95 * Canvas::width);
+    const double title   = static_cast<double>(frame.title.size()) * line_height(FontSize::title);
+    const double caption = static_cast<double>(frame.caption.size()) * line_height(FontSize::small);
+    frame.canvas.height += caption;
+    frame.x = scale_of(x_extent(chart, curves), is_log(chart, axis::x));
+    frame.y = scale_of(y_extent(chart, curves), is_log(chart, axis::y));
+
+    // a curve that ends near the right edge has its label in the margin, which is as wide as that needs
+    std::vector<const Curve*> at_edge;
+    std::vector<const Curve*> inside;
+    double                    widest = 0;
+    for (const Curve& curve : curves) {
+        const bool edge = frame.x(end_of(curve).x) > 0.85;
+        (edge ? at_edge : inside).push_back(&curve);
+        if (edge) widest = std::max(widest, TextBlock{curve.name}.width);
+    }
+    frame.x.from = 88;
+    frame.x.to   = Canvas::width - (widest > 0 ? widest + 1.5 * label_gap : 24);
+    frame.y.from = 66 + caption;
+    frame.y.to   = frame.canvas.height - title - 22;
+
+    Labeller labeller{frame, curves};
+    if (curves.size() > 1 || !at_edge.empty()) labeller.in_margin(at_edge);
+    for (const MarkedX& mark : chart.marked) labeller.at_mark(mark);
+    for (const Curve* curve : inside) labeller.at_curve(*curve);
+    frame.labels = labeller.labels;
+    return frame;
+}
+
+}  // namespace sr::course

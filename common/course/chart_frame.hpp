@@ -1,0 +1,57 @@
+#pragma once
+/// @file chart_frame.hpp
+/// What of a chart is drawn where: its curves, the ranges of its axes, the place of every label. Units are those of
+/// the canvas, y upwards from its lower left corner.
+
+#include <string>
+#include <vector>
+
+#include "course/chart.hpp"
+#include "course/label_layout.hpp"
+#include "course/style.hpp"
+
+namespace sr::course {
+
+/// One curve: consecutive rows of the CSV.
+struct Curve {
+    std::string        name;
+    Ink                ink;
+    std::size_t        first_row;
+    std::size_t        last_row;
+    std::vector<Point> points;  ///< those that its axes can show: finite, and positive where logarithmic
+};
+
+/// @throws std::invalid_argument naming chart and curve when nothing of a curve can be drawn
+[[nodiscard]] std::vector<Curve> curves_of(const ChartData& chart, const Rows& grouped);
+
+/// One axis: the values at its ends, and how they map to the canvas.
+struct Scale {
+    bool   log  = false;
+    double min  = 0;
+    double max  = 1;
+    double from = 0;  ///< where on the canvas min lies
+    double to   = 1;  ///< and max
+    double operator()(double value) const;
+};
+
+/// A text of one or more lines: where its first line stands.
+struct PlacedLabel {
+    std::vector<std::string> lines;
+    Ink                      ink;
+    Point                    at;           ///< left end and middle of the first line
+    std::vector<Point>       leader = {};  ///< from the curve's end, where the label does not stand at it
+};
+
+/// A chart laid out.
+struct Frame {
+    Canvas                   canvas;
+    Scale                    x;
+    Scale                    y;
+    std::vector<std::string> title;
+    std::vector<std::string> caption;
+    std::vector<PlacedLabel> labels;
+};
+
+[[nodiscard]] Frame lay_out(const ChartData& chart, const std::vector<Curve>& curves);
+
+}  // namespace sr::course

@@ -1,0 +1,163 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "course/chart_frame.hpp"
+#include "course/draw.hpp"
+#include "course/gnuplot.hpp"
+
+namespace sr::course {
+
+namespace {
+
+constexpr FontSize label_size = FontSize::normal;
+
+/// A place on the canvas in gnuplot's words.
+std::string screen(Point p, const Canvas& canvas) {
+    return fmt::format("screen {:.5f}, screen {:.5f}", p.x / Canvas::width, p.y / canvas.height);
+}
+
+std::string text_at(const Dialect& dialect, const Canvas& canvas, const std::string& tex, Point at,
+                    FontSize size, Ink ink) {
+    return fmt::format("set label {} at {} left front {} textcolor rgb '{}'\n", dialect.text(tex),
+                       screen(at, canvas), dialect.font(size), hex(ink));
+}
+
+/// Lines of text below each other; `at` is the left end and middle of the first.
+std::string text_block(const Dialect& dialect, const Canvas& canvas, const std::vector<std::string>& lines,
+                       Point at, FontSize size, Ink ink) {
+    std::string script;
+    for (const std::string& line : lines) {
+        script += text_at(dialect, canvas, line, at, size, ink);
+        at.y -= line_height(size);
+    }
+    return script;
+}
+
+/// The numbers along a logarithmic axis: powers of ten, or 1, 2, 5 where there are few of those.
+std::string log_ticks(char name, const Scale& scale, const Dialect& dialect) {
+    const double decades = std::log10(scale.max / scale.min);
+    if (decades > 8) return fmt::format("set format {} {}\n", name, dialect.power_of_ten());
+    std::vector<std::string> major;
+    std::vector<std::string> minor;
+    const int                first = static_cast<int>(std::floor(std::log10(scale.min)));
+    const int                last  = static_cast<int>(std::ceil(std::log10(scale.max)));
+    const bool               plain = scale.min >= 0.001 && scale.max <= 20000;
+    for (int power = first; power <= last; ++power)
+        for (int digit = 1; digit <= 9; ++digit) {
+            const double value = digit * std::pow(10, power);
+            const bool   named = digit == 1 || (decades < 1.7 && (digit == 2 || digit == 5));
+            if (value < scale.min * (1 - 1e-9) || value > scale.max * (1 + 1e-9)) continue;
+            const std::string label =
+                plain ? fmt::format("{:.10g}", value)
+                      : fmt::format("${}10^{{{}}}$", digit == 1 ? "" : fmt::format("{}\\cdot", digit), power);
+            if (named)
+                major.push_back(fmt::format("{} {:.10g}", dialect.text(label), value));
+            else
+                minor.push_back(fmt::format("'' {:.10g} 1", value));
+        }
+    major.insert(major.end(), minor.begin(), minor.end());
+    return fmt::format("set {}tics ({})\n", name, fmt::join(major, ", "));
+}
+
+std::string axis_of(char name, const Scale& scale, const std::string& title, const Dialect& dialect) {
+    std::string script = fmt::format("set {}range [{:.10g}:{:.10g}]\nset {}label {}\n", name, scale.min,
+                                     scale.max, name, dialect.text(title));
+    if (scale.log) script += fmt::format("set logscale {}\n", name) + log_ticks(name, scale, dialect);
+    return script;
+}
+
+std::string frame_of(const ChartData& chart, const Frame& frame, const Dialect& dialect) {
+    const Canvas& canvas = frame.canvas;
+    return dialect.terminal(canvas) + "\n" +
+           fmt::format(
+               "set encoding utf8\nset datafile separator comma\nunset key\n"
+               "set lmargin at screen {:.5f}\nset rmargin at screen {:.5f}\n"
+               "set bmargin at screen {:.5f}\nset tmargin at screen {:.5f}\n",
+               frame.x.from / Canvas::width, frame.x.to / Canvas::width, frame.y.from / canvas.height,
+               frame.y.to / canvas.height) +
+           fmt::format(
+               "set border 3 linecolor rgb '{0}'\nset tics nomirror out scale 0.5, 0.25 textcolor rgb '{1}'\n"
+               "set grid xtics ytics back linetype 1 linecolor rgb '#e0e0e0' linewidth 1, linetype 1 "
+               "linecolor rgb '#f0f0f0' linewidth 1\nset errorbars small\n",
+               hex(Ink::grey), hex(Ink::black)) +
+           axis_of('x', frame.x, chart.axes.x, dialect) + axis_of('y', frame.y, chart.axes.y, dialect);
+}
+
+std::string texts_of(const Frame& frame, const Dialect& dialect) {
+    const Canvas& canvas = frame.canvas;
+    const Point   title{12, canvas.height - 8 - line_height(FontSize::title) / 2};
+    const Point   caption{12, frame.y.from - 66 - line_height(FontSize::small) / 2 + 4};
+    std::string   script = text_block(dialect, canvas, frame.title, title, FontSize::title, Ink::black) +
+                         text_block(dialect, canvas, frame.caption, caption, FontSize::small, Ink::grey);
+    for (const PlacedLabel& label : frame.labels) {
+        script += text_block(dialect, canvas, label.lines, label.at, label_size, label.ink);
+        if (!label.leader.empty())
+            script += fmt::format("set arrow from {} to {} nohead back linewidth 1 linecolor rgb '{}'\n",
+                                  screen(label.leader.front(), canvas), screen(label.leader.back(), canvas),
+                                  hex(label.ink));
+    }
+    return script;
+}
+
+/// The words "with lines ..." for a chart's marks.
+std::string_view marks_of(Marks marks) {
+    switch (marks) {
+        case Marks::lines:
+            return "lines";
+        case Marks::points:
+            return "points";
+        case Marks::bars:
+            return "boxes fill solid 0.8";
+        case Marks::lines_points:
+            break;
+    }
+    return "linespoints";
+}
+
+/// One curve, drawn from its rows of the CSV: its spread, then its line.
+std::string plot_of(const ChartData& chart, const Curve& curve, const Frame& frame, const std::string& csv) {
+    const Columns& columns = chart.axes.columns;
+    const auto     column  = [&](const std::string& name) { return 1 + chart.table.column(name); };
+    const auto     x       = column(columns.x);
+    const auto     y       = column(columns.y);
+    const auto     data    = fmt::format("{} skip 1 every ::{}::{}", csv, curve.first_row, curve.last_row);
+
+    std::string low;
+    std::string high;
+    if (!columns.error.empty()) {
+        low  = fmt::format("${}-${}", y, column(columns.error));
+        high = fmt::format("${}+${}", y, column(columns.error));
+    } else if (!columns.min.empty() && !columns.max.empty()) {
+        low  = fmt::format("${}", column(columns.min));
+        high = fmt::format("${}", column(columns.max));
+    }
+    std::string plot;
+    if (!low.empty())  // a bar that reaches to 0 or below leaves a logarithmic axis at its end
+        plot = fmt::format(
+            "{} using {}:{}:(({})>{:.10g}?({}):{:.10g}):({}) with yerrorbars pointtype 0 linewidth 1.5 "
+            "linecolor rgb '{}', ",
+            data, x, y, low, frame.y.min, low, frame.y.min, high, hex(curve.ink));
+    return plot +
+           fmt::format("{} using {}:{} with {} linewidth 2.5 pointtype 7 pointsize 0.6 linecolor rgb '{}'",
+                       data, x, y, marks_of(chart.axes.marks), hex(curve.ink));
+}
+
+}  // namespace
+
+std::string chart_script(const ChartData& chart, const std::filesystem::path& csv, std::string_view format) {
+    const std::vector<Curve> curves = curves_of(chart, grouped_by_series(chart));
+    const Frame              frame  = lay_out(chart, curves);
+    const Dialect            dialect{format};
+    std::string              script = frame_of(chart, frame, dialect) + texts_of(frame, dialect);
+    for (const MarkedX& mark : chart.marked)
+        script += fmt::format(
+            "set arrow from first {0:.10g}, graph 0 to first {0:.10g}, graph 1 nohead back "
+            "dashtype 2 linewidth 1.5 linecolor rgb '{1}'\n",
+            mark.x, hex(Ink::grey));
+    std::vector<std::string> plots;
+    for (const Curve& curve : curves) plots.push_back(plot_of(chart, curve, frame, gnuplot_string(csv.string())));
+    return script + fmt::format("plot {}\n", fmt::join(plots, ", "));
+}
+
+}  // namespace sr::course

@@ -1,0 +1,150 @@
+#include "course/figures.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "course/csv.hpp"
+#include "course/tex.hpp"
+#include "image/whole_file.hpp"
+
+namespace sr::course {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::string_view captions_file = "captions.csv";
+constexpr std::string_view claims_file   = "claims.csv";
+
+constexpr std::string_view page_head = R"(<!DOCTYPE html>
+<html lang="en">
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<title>Steradian: figures</title>
+<style>
+  body { font: 16px/1.5 system-ui, sans-serif; color: #222; background: #fff; margin: 2rem auto; max-width: 90rem; padding: 0 1.5rem; }
+  nav a { margin-right: 1.2rem; }
+  a { color: #0072b2; }
+  section { margin-top: 3rem; }
+  .grid { display: grid; grid-template-columns: repeat(auto-fill, minmax(min(26rem, 100%), 1fr)); gap: 2rem; }
+  figure { margin: 0; border: 1px solid #ddd; border-radius: 6px; padding: 1rem; }
+  figure img { display: block; width: 100%; max-height: 26rem; object-fit: contain; background: #fff; }
+  figcaption p { margin: .4rem 0; }
+  .files { font-size: .85em; }
+  .files a { margin-right: .8rem; }
+  .claims { overflow-x: auto; }
+  table { border-collapse: collapse; margin-top: 1.5rem; font-variant-numeric: tabular-nums; }
+  th, td { padding: .25rem .8rem; border-bottom: 1px solid #ddd; text-align: right; }
+  th:first-child, td:first-child { text-align: left; }
+  .yes { color: #00845f; } .no { color: #d55e00; font-weight: bold; }
+</style>
+<h1>Figures</h1>
+)";
+
+/// Text that is no TeX.
+std::string html(std::string_view text) {
+    std::string safe;
+    for (const char c : text)
+        if (c == '&')
+            safe += "&amp;";
+        else if (c == '<')
+            safe += "&lt;";
+        else if (c == '"')
+            safe += "&quot;";
+        else
+            safe += c;
+    return safe;
+}
+
+bool can_be_shown(const std::string& file) {
+    return file.ends_with(".svg") || file.ends_with(".png");
+}
+
+std::string card(const std::string& chapter, const Figure& figure) {
+    const std::string title   = tex_to_html(figure.title.empty() ? figure.name : figure.title);
+    const auto        picture = std::find_if(figure.files.begin(), figure.files.end(), can_be_shown);
+    std::string       card    = "<figure>\n";
+    if (picture != figure.files.end())
+        card += fmt::format("<a href=\"{0}/{1}\"><img src=\"{0}/{1}\" alt=\"{2}\" loading=\"lazy\"></a>\n",
+                            html(chapter), html(*picture),
+                            html(tex_to_plain(figure.title.empty() ? figure.name : figure.title)));
+    card += fmt::format("<figcaption><p><strong>{}</strong></p>\n", title);
+    if (!figure.caption.empty()) card += fmt::format("<p>{}</p>\n", tex_to_html(figure.caption));
+    card += "<p class=\"files\">";
+    for (const std::string& file : figure.files)
+        card += fmt::format("<a href=\"{}/{}\">{}</a>", html(chapter), html(file), html(file));
+    return card + "</p></figcaption>\n</figure>\n";
+}
+
+std::string claims_table(const fs::path& csv) {
+    if (!fs::exists(csv)) return "";
+    const Rows  claims = read_csv(csv);
+    std::string table  = "<div class=\"claims\"><table>\n<tr>";
+    for (const std::string& header : claims.header) table += fmt::format("<th>{}</th>", html(header));
+    table += "</tr>\n";
+    for (const auto& row : claims.rows) {
+        table += "<tr>";
+        for (const Cell& cell : row) {
+            const std::string text = cell.is_number() ? fmt::format("{:.4g}", cell.number()) : cell.text();
+            const bool        pass = &cell == &row.back();
+            table += fmt::format("<td{}>{}</td>", pass ? fmt::format(" class=\"{}\"", html(text)) : "",
+                                 html(text));
+        }
+        table += "</tr>\n";
+    }
+    return claims.rows.empty() ? "" : table + "</table></div>\n";
+}
+
+std::vector<Figure> read_captions(const fs::path& csv) {
+    const Rows          table = read_csv(csv);
+    std::vector<Figure> figures;
+    for (const auto& row : table.rows) {
+        const auto  text = [&](std::string_view column) { return row[table.column(column)].text(); };
+        Figure      figure{text("figure"), text("kind"), text("title"), text("caption"), {}};
+        std::string files = text("files") + " ";
+        for (std::size_t space; (space = files.find(' ')) != std::string::npos; files.erase(0, space + 1))
+            figure.files.push_back(files.substr(0, space));
+        figures.push_back(std::move(figure));
+    }
+    return figures;
+}
+
+/// "01_rays" is "01 rays" to a person.
+std::string heading(std::string chapter) {
+    std::replace(chapter.begin(), chapter.end(), '_', ' ');
+    return html(chapter);
+}
+
+}  // namespace
+
+void write_captions(const fs::path& chapter, const std::vector<Figure>& figures) {
+    Rows table{{"figure", "kind", "title", "caption", "files"}};
+    for (const Figure& figure : figures)
+        table.add({figure.name, figure.kind, figure.title, figure.caption,
+                   fmt::format("{}", fmt::join(figure.files, " "))});
+    write_csv(chapter / captions_file, table);
+}
+
+void write_index(const fs::path& figures_root) {
+    std::vector<std::string> chapters;
+    for (const auto& entry : fs::directory_iterator(figures_root))
+        if (fs::exists(entry.path() / captions_file)) chapters.push_back(entry.path().filename().string());
+    std::sort(chapters.begin(), chapters.end());
+
+    std::string page{page_head};
+    page += "<nav>";
+    for (const std::string& chapter : chapters)
+        page += fmt::format("<a href=\"#{}\">{}</a>", html(chapter), heading(chapter));
+    page += "</nav>\n";
+    for (const std::string& chapter : chapters) {
+        page += fmt::format("<section id=\"{}\">\n<h2>{}</h2>\n<div class=\"grid\">\n", html(chapter),
+                            heading(chapter));
+        for (const Figure& figure : read_captions(figures_root / chapter / captions_file))
+            page += card(chapter, figure);
+        page += "</div>\n" + claims_table(figures_root / chapter / claims_file) + "</section>\n";
+    }
+    write_whole_file(figures_root / "index.html", page + "</html>\n");
+}
+
+}  // namespace sr::course

@@ -1,0 +1,76 @@
+#include "course/label_layout.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+namespace sr::course {
+
+namespace {
+
+bool overlap(const Box& a, const Box& b) {
+    return a.min.x < b.max.x && b.min.x < a.max.x && a.min.y < b.max.y && b.min.y < a.max.y;
+}
+
+/// Whether the line from p to q meets the box: the stretch of it inside both slabs is not empty.
+bool meets(const Box& box, Point p, Point q) {
+    double enter = 0;
+    double leave = 1;
+    for (const int axis : {0, 1}) {
+        const double d = q[axis] - p[axis];
+        const double a = box.min[axis] - p[axis];
+        const double b = box.max[axis] - p[axis];
+        if (d == 0) {
+            if (a > 0 || b < 0) return false;
+            continue;
+        }
+        enter = std::max(enter, std::min(a / d, b / d));
+        leave = std::min(leave, std::max(a / d, b / d));
+    }
+    return enter <= leave;
+}
+
+/// Neighbours that would stand too close, and the mean of where they want to stand.
+struct Pool {
+    double      mean;
+    std::size_t size;
+};
+
+}  // namespace
+
+int Obstacles::covered_by(const Box& box) const {
+    auto covered = std::count_if(boxes.begin(), boxes.end(), [&](const Box& b) { return overlap(box, b); });
+    for (const std::vector<Point>& curve : curves)
+        for (std::size_t i = 1; i < curve.size(); ++i) covered += meets(box, curve[i - 1], curve[i]) ? 1 : 0;
+    return static_cast<int>(covered);
+}
+
+std::vector<double> spread(const std::vector<double>& wanted, double apart, double low, double high) {
+    std::vector<std::size_t> order(wanted.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return wanted[a] < wanted[b]; });
+
+    // with the i-th shifted down by i distances, "apart" becomes "not smaller than the one before"
+    std::vector<Pool> pools;
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        pools.push_back({wanted[order[i]] - static_cast<double>(i) * apart, 1});
+        while (pools.size() > 1 && pools.back().mean < pools[pools.size() - 2].mean) {
+            const Pool last = pools.back();
+            pools.pop_back();
+            Pool& pool = pools.back();
+            pool.mean =
+                (pool.mean * static_cast<double>(pool.size) + last.mean * static_cast<double>(last.size)) /
+                static_cast<double>(pool.size + last.size);
+            pool.size += last.size;
+        }
+    }
+
+    const double        room = std::max(low, high - static_cast<double>(wanted.size() - 1) * apart);
+    std::vector<double> heights(wanted.size());
+    std::size_t         i = 0;
+    for (const Pool& pool : pools)
+        for (std::size_t n = 0; n < pool.size; ++n, ++i)
+            heights[order[i]] = std::clamp(pool.mean, low, room) + static_cast<double>(i) * apart;
+    return heights;
+}
+
+}  // namespace sr::course
