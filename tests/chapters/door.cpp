@@ -1,0 +1,142 @@
+/// @file door.cpp
+/// The command `course` and its launcher, end to end.
+
+#include <doctest/doctest.h>
+
+#include <initializer_list>
+#include <set>
+
+#include "run_course.hpp"
+
+using namespace sr::test;
+
+namespace {
+
+bool contains(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+bool has_chapter_01() {
+    return fs::exists(source_folder / "chapters" / "01_rays" / "main.cpp");
+}
+
+/// Refused as everything is that a person mistypes: one line on stderr that names it, nothing on stdout, exit code 2.
+void check_refused(const std::string& arguments, const std::string& named) {
+    CAPTURE(arguments);
+    const Ended ended = run_course(arguments);
+    CAPTURE(ended.err);
+    CHECK(ended.code == 2);
+    CHECK(ended.error_lines() == 1);
+    CHECK(contains(ended.err, "error: "));
+    CHECK(contains(ended.err, named));
+    CHECK(ended.out == "");
+}
+
+}  // namespace
+
+TEST_CASE("course without a command lists the commands") {
+    for (const char* const arguments : {"", "--help"}) {
+        const Ended ended = run_course(arguments);
+        CHECK(ended.code == 0);
+        CHECK(ended.err == "");
+        for (const char* const command : {"figures", "run", "test", "bench", "docs", "list", "doctor"})
+            CHECK(contains(ended.out, command));
+    }
+}
+
+TEST_CASE("each command has its help") {
+    for (const char* const command : {"figures", "run", "test", "bench", "docs", "list", "doctor"}) {
+        const Ended ended = run_course(std::string(command) + " --help");
+        CHECK(ended.code == 0);
+        CHECK(ended.err == "");
+        CHECK(contains(ended.out, std::string("usage: course ") + command));
+    }
+}
+
+TEST_CASE("what is mistyped is refused in one line") {
+    check_refused("figure", "figures");
+    check_refused("list --sizes", "--sizes");
+    check_refused("list 01", "01");
+    check_refused("figures --size 0", "--size 0");
+    check_refused("figures 77", "77");
+    check_refused("run 77", "77");
+    check_refused("run", "which");
+    check_refused("bench nonsense", "nonsense");
+}
+
+TEST_CASE("list names the chapters, bench the topics") {
+    CHECK(contains(run_course("bench").out, "quality"));
+    CHECK(contains(run_course("bench").out, "door"));
+    if (has_chapter_01()) CHECK(contains(run_course("list").out, "01_rays"));
+}
+
+TEST_CASE("the doctor finds what this was built with") {
+    const Ended ended = run_course("doctor");
+    CHECK(ended.code == 0);
+    for (const char* const package : {"C++ compiler", "CMake", "GLM", "oneTBB", "doctest", "gnuplot"})
+        CHECK(contains(ended.out, package));
+}
+
+TEST_CASE("a chapter's bad option passes through: one line, exit code 2") {
+    if (!has_chapter_01()) return;
+    for (const char* const chapter : {"1", "01", "rays", "01_rays"})
+        check_refused(std::string("run ") + chapter + " --size 100000", "--size 100000");
+    check_refused("run 01 --sise 100", "--size");
+    CHECK(contains(run_course("run 01 --help").out, "--quality"));
+}
+
+TEST_CASE("a relative --out means the folder of the person who calls") {
+    if (!has_chapter_01()) return;
+    const Scratch scratch;
+    const Ended   ended =
+        run_course(scratch.path, "figures 01 --quality draft --size 32 --samples 1 --out there");
+    CAPTURE(ended.err);
+    CHECK(ended.code == 0);
+    CHECK(fs::exists(scratch.path / "there" / "01_rays" / "claims.csv"));
+    CHECK(fs::exists(scratch.path / "there" / "index.html"));
+}
+
+TEST_CASE("Ctrl-C ends a chapter with 130 and leaves no part of a file") {
+    if (!has_chapter_01()) return;
+    const Scratch     scratch;
+    const std::string course = (build_folder / "bin" / "course").string();
+    const Ended       ended  = run_shell(scratch.path, "timeout --preserve-status -s INT 1 '" + course +
+                                                           "' run 01 --quality print --out there");
+    CHECK(ended.code == 130);
+    for (const auto& entry : fs::recursive_directory_iterator(scratch.path))
+        CHECK_FALSE(entry.path().filename().string().starts_with('.'));
+}
+
+TEST_CASE("where no compiler is, the launcher's doctor tells how to get it, also through a link") {
+    const Scratch scratch;
+    fs::create_directory(scratch.path / "bin");
+    fs::create_symlink(source_folder / "course", scratch.path / "link");
+    const Ended ended = run_shell(scratch.path,
+                                  "for program in bash readlink dirname dpkg-query apt-get; do "
+                                  "ln -s \"$(command -v $program)\" bin/ || true; done; "
+                                  "PATH=$PWD/bin bash ./link doctor");
+    CAPTURE(ended.err);
+    CHECK(ended.code == 1);
+    CHECK(contains(ended.out, "missing: C++ compiler"));
+    CHECK(contains(ended.out, "missing: CMake"));
+    CHECK(contains(ended.out, "cmake ninja-build"));
+
+    const Ended refused = run_shell(scratch.path, "STERADIAN_NO_INSTALL=1 PATH=$PWD/bin bash ./link list");
+    CHECK(refused.code == 2);
+    CHECK(refused.error_lines() == 1);
+}
+
+TEST_CASE("vcpkg.json names the packages of packages.csv") {
+    std::ifstream     rows(source_folder / "common" / "packages.csv");
+    const std::string vcpkg = read_text(source_folder / "vcpkg.json");
+    int               count = 0;
+    for (std::string row; std::getline(rows, row);) {
+        std::string name = row.substr(row.rfind(',') + 1);
+        name             = name.substr(0, name.find('['));
+        if (name == "-" || name == "vcpkg") continue;
+        CAPTURE(name);
+        CHECK(contains(vcpkg, '"' + name + '"'));
+        ++count;
+    }
+    CHECK(count == 7);
+}

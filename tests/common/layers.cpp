@@ -1,0 +1,116 @@
+/// @file layers.cpp
+/// The arrows between the folders of common/ run one way.
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace fs   = std::filesystem;
+using Names    = std::set<std::string>;
+using Includes = std::vector<std::string>;
+
+const fs::path common = fs::path(STERADIAN_SOURCE_DIR) / "common";
+
+/// What a folder may include beside itself; what those may include it may, too.
+const std::map<std::string, Names> arrows = {
+    {"math", {}},
+    {"statistics", {"math"}},
+    {"sampling", {"math"}},
+    {"geometry", {"math"}},
+    {"radiometry", {"math", "geometry"}},
+    {"material", {"sampling", "radiometry"}},
+    {"image", {"math", "radiometry"}},
+    {"scene", {"math", "sampling", "geometry", "radiometry", "material", "image"}},
+    {"radiosity", {"scene"}},
+    {"transport", {"scene", "image"}},
+    {"course", {"image", "statistics"}},
+};
+
+/// All folders that `folder` reaches along the arrows, itself among them.
+Names reach(const std::string& folder) {
+    Names reached = {folder};
+    for (const std::string& next : arrows.at(folder)) reached.merge(reach(next));
+    return reached;
+}
+
+/// The files that a text includes in quotes, or in angle brackets.
+Includes includes(const std::string& text, const std::string& open = "\"", const std::string& close = "\"") {
+    const std::regex line("(?:^|\n)[ \t]*#[ \t]*include[ \t]*" + open + "([^\">]+)" + close);
+    Includes         found;
+    for (std::sregex_iterator match(text.begin(), text.end(), line), none; match != none; ++match)
+        found.push_back(match->str(1));
+    return found;
+}
+
+/// The includes of a file in `folder` that no arrow allows.
+Includes against_the_arrows(const std::string& folder, const std::string& text) {
+    const Names reached = reach(folder);
+    Includes    wrong   = includes(text);
+    std::erase_if(wrong,
+                  [&](const std::string& file) { return reached.contains(file.substr(0, file.find('/'))); });
+    return wrong;
+}
+
+std::string read_text(const fs::path& path) {
+    std::ifstream file(path);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+std::vector<fs::path> sources(const fs::path& folder) {
+    std::vector<fs::path> files;
+    for (const auto& entry : fs::recursive_directory_iterator(folder))
+        if (const fs::path type = entry.path().extension(); type == ".hpp" || type == ".cpp")
+            files.push_back(entry.path());
+    return files;
+}
+
+}  // namespace
+
+TEST_CASE("each folder includes only what its arrows reach") {
+    int seen = 0;
+    for (const auto& entry : fs::directory_iterator(common)) {
+        if (!entry.is_directory()) continue;
+        const std::string folder = entry.path().filename().string();
+        REQUIRE_MESSAGE(arrows.contains(folder), folder << " has no row in the table of arrows");
+        for (const fs::path& file : sources(entry.path())) {
+            const std::string text = read_text(file);
+            INFO(file.string());
+            CHECK(against_the_arrows(folder, text) == Includes{});
+            for (const std::string& included : includes(text)) {
+                INFO(included);
+                CHECK(fs::exists(common / included));
+                ++seen;
+            }
+        }
+    }
+    CHECK(seen > 20);
+}
+
+TEST_CASE("an include against an arrow is found") {
+    CHECK(against_the_arrows("geometry", "#include \"math/frame.hpp\"\n") == Includes{});
+    CHECK(against_the_arrows("geometry", "// below\n#include \"scene/scene.hpp\"\n") ==
+          Includes{"scene/scene.hpp"});
+    CHECK(against_the_arrows("scene", " # include \"statistics/running.hpp\"") ==
+          Includes{"statistics/running.hpp"});
+    CHECK(against_the_arrows("transport", "#include \"course/chart.hpp\"\n") == Includes{"course/chart.hpp"});
+    CHECK(against_the_arrows("radiosity", "#include \"transport/tiles.hpp\"\n") ==
+          Includes{"transport/tiles.hpp"});
+}
+
+TEST_CASE("the option parser, slow to compile, is included once") {
+    int count = 0;
+    for (const char* const folder : {"common", "chapters", "tests"})
+        for (const fs::path& file : sources(fs::path(STERADIAN_SOURCE_DIR) / folder))
+            for (const std::string& included : includes(read_text(file), "<", ">"))
+                if (included.starts_with("CLI/")) ++count;
+    CHECK(count == 1);
+}
