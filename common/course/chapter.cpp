@@ -55,7 +55,7 @@ std::vector<std::string> write_drawn(const fs::path& folder, const std::string& 
         const std::optional<std::string> picture = run_gnuplot(script(csv, format));
         if (!picture) continue;
         files.push_back(name + "." + format);
-        write_whole_file(folder / files.back(), *picture);
+        write_whole_file(folder / files.back(), Dialect{format}.finished(*picture));
     }
     return files;
 }

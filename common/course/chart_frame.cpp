@@ -46,7 +46,7 @@ double round_step(double range) {
     return 10 * power;
 }
 
-/// The ends of an axis that shows all of `extent` and a little more.
+/// The ends of an axis that shows all of `extent`, and a little more or up to round numbers.
 Scale scale_of(Extent extent, bool log) {
     if (log) {
         const double decades = std::log10(extent.max / extent.min);
@@ -57,9 +57,13 @@ Scale scale_of(Extent extent, bool log) {
         extent.min = 0;  // show how large, not only how different
     const double range =
         extent.max > extent.min ? extent.max - extent.min : std::max(1.0, std::abs(extent.max));
-    const double step = round_step(range);
-    return {.min = std::floor(extent.min / step) * step,
-            .max = std::ceil((extent.max + 0.02 * range) / step) * step};
+    const double step  = round_step(range);
+    const auto   round = [&](double end, double tick) {
+        return std::abs(end - tick) < 0.3 * step ? tick : end;
+    };
+    return {.min  = round(extent.min, std::floor(extent.min / step) * step),
+            .max  = round(extent.max + 0.02 * range, std::round(extent.max / step) * step),
+            .step = step};
 }
 
 Extent y_extent(const ChartData& chart, const std::vector<Curve>& curves) {
@@ -85,6 +89,11 @@ Extent x_extent(const ChartData& chart, const std::vector<Curve>& curves) {
     for (const Curve& curve : curves)
         for (const Point& p : curve.points) extent.include(p.x, is_log(chart, axis::x));
     for (const MarkedX& mark : chart.marked) extent.include(mark.x, is_log(chart, axis::x));
+    if (chart.axes.marks == Marks::bars && curves.front().points.size() > 1) {
+        const double half =
+            (extent.max - extent.min) / static_cast<double>(curves.front().points.size() - 1) / 2;
+        extent = {extent.min - half, extent.max + half};  // a bar is as wide as its neighbours are apart
+    }
     return extent;
 }
 
@@ -112,12 +121,13 @@ struct TextBlock {
 /// Finds a place for each label of a chart whose axes are laid out.
 class Labeller {
 public:
-    Labeller(const Frame& frame, const std::vector<Curve>& curves) : frame_{frame} {
+    Labeller(const Frame& frame, const std::vector<Curve>& curves, Marks marks) : frame_{frame} {
         for (const Curve& curve : curves) {
             std::vector<Point>& line = obstacles_.curves.emplace_back();
             for (const Point& p : curve.points) {
                 line.push_back(on_canvas(p));
-                obstacles_.boxes.push_back({line.back() - 5.0, line.back() + 5.0});
+                const Point corner = marks == Marks::bars ? Point{line.back().x, frame.y.from} : line.back();
+                obstacles_.boxes.push_back({corner - 5.0, line.back() + 5.0});
             }
         }
     }
@@ -156,13 +166,12 @@ public:
     /// In the right margin, as near as there is room to the heights at which the curves end.
     void in_margin(const std::vector<const Curve*>& curves) {
         std::vector<double> ends;
-        double              tallest = 0;
+        std::vector<double> sizes;
         for (const Curve* curve : curves) {
             ends.push_back(on_canvas(end_of(*curve)).y);
-            tallest = std::max(tallest, TextBlock{curve->name}.height());
+            sizes.push_back(TextBlock{curve->name}.height());
         }
-        const std::vector<double> heights =
-            spread(ends, tallest, frame_.y.from + tallest / 2, frame_.y.to - tallest / 2);
+        const std::vector<double> heights = spread(ends, sizes, frame_.y.from, frame_.y.to);
         for (std::size_t i = 0; i < curves.size(); ++i) {
             const TextBlock block{curves[i]->name};
             const Point     end   = on_canvas(end_of(*curves[i]));
@@ -257,11 +266,11 @@ Frame lay_out(const ChartData& chart, const std::vector<Curve>& curves) {
     }
     frame.x.from = 88;
     frame.x.to   = Canvas::width - (widest > 0 ? widest + 1.5 * label_gap : 24);
-    frame.y.from = 66 + caption;
+    frame.y.from = below_plot + caption;
     frame.y.to   = frame.canvas.height - title - 22;
 
-    Labeller labeller{frame, curves};
-    if (curves.size() > 1 || !at_edge.empty()) labeller.in_margin(at_edge);
+    Labeller labeller{frame, curves, chart.axes.marks};
+    labeller.in_margin(at_edge);
     for (const MarkedX& mark : chart.marked) labeller.at_mark(mark);
     for (const Curve* curve : inside) labeller.at_curve(*curve);
     frame.labels = labeller.labels;

@@ -31,6 +31,7 @@ struct Scale {
     double max  = 1;
     double from = 0;  ///< where on the canvas min lies
     double to   = 1;  ///< and max
+    double step = 0;  ///< between the numbers along a linear axis
     double operator()(double value) const;
 };
 
@@ -41,6 +42,8 @@ struct PlacedLabel {
     Point                    at;           ///< left end and middle of the first line
     std::vector<Point>       leader = {};  ///< from the curve's end, where the label does not stand at it
 };
+
+inline constexpr double below_plot = 68;  ///< what ticks and title of the x axis take
 
 /// A chart laid out.
 struct Frame {

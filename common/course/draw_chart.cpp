@@ -60,14 +60,13 @@ std::string log_ticks(char name, const Scale& scale, const Dialect& dialect) {
     return fmt::format("set {}tics ({})\n", name, fmt::join(major, ", "));
 }
 
-std::string axis_of(char name, const Scale& scale, const std::string& title, const Dialect& dialect) {
-    std::string script = fmt::format("set {}range [{:.10g}:{:.10g}]\nset {}label {}\n", name, scale.min,
-                                     scale.max, name, dialect.text(title));
-    if (scale.log) script += fmt::format("set logscale {}\n", name) + log_ticks(name, scale, dialect);
-    return script;
+std::string axis_of(char name, const Scale& scale, const Dialect& dialect) {
+    const std::string script = fmt::format("set {}range [{:.10g}:{:.10g}]\n", name, scale.min, scale.max);
+    if (!scale.log) return script + fmt::format("set {}tics {:.10g}\n", name, scale.step);
+    return script + fmt::format("set logscale {}\n", name) + log_ticks(name, scale, dialect);
 }
 
-std::string frame_of(const ChartData& chart, const Frame& frame, const Dialect& dialect) {
+std::string frame_of(const Frame& frame, const Dialect& dialect) {
     const Canvas& canvas = frame.canvas;
     return dialect.terminal(canvas) + "\n" +
            fmt::format(
@@ -79,17 +78,22 @@ std::string frame_of(const ChartData& chart, const Frame& frame, const Dialect& 
            fmt::format(
                "set border 3 linecolor rgb '{0}'\nset tics nomirror out scale 0.5, 0.25 textcolor rgb '{1}'\n"
                "set grid xtics ytics back linetype 1 linecolor rgb '#e0e0e0' linewidth 1, linetype 1 "
-               "linecolor rgb '#f0f0f0' linewidth 1\nset errorbars small\n",
+               "linecolor rgb '#f0f0f0' linewidth 1\nset boxwidth 0.8 relative\n",
                hex(Ink::grey), hex(Ink::black)) +
-           axis_of('x', frame.x, chart.axes.x, dialect) + axis_of('y', frame.y, chart.axes.y, dialect);
+           axis_of('x', frame.x, dialect) + axis_of('y', frame.y, dialect);
 }
 
-std::string texts_of(const Frame& frame, const Dialect& dialect) {
+std::string texts_of(const ChartData& chart, const Frame& frame, const Dialect& dialect) {
     const Canvas& canvas = frame.canvas;
     const Point   title{12, canvas.height - 8 - line_height(FontSize::title) / 2};
-    const Point   caption{12, frame.y.from - 66 - line_height(FontSize::small) / 2 + 4};
+    const Point   caption{12, frame.y.from - below_plot - line_height(FontSize::small) / 2 + 6};
+    const Point   x_title{(frame.x.from + frame.x.to) / 2, frame.y.from - 50};
+    const Point   y_title{18, (frame.y.from + frame.y.to) / 2};
     std::string   script = text_block(dialect, canvas, frame.title, title, FontSize::title, Ink::black) +
                          text_block(dialect, canvas, frame.caption, caption, FontSize::small, Ink::grey);
+    script += fmt::format("set label {} at {} center {}\nset label {} at {} center rotate {}\n",
+                          dialect.text(chart.axes.x), screen(x_title, canvas), dialect.font(label_size),
+                          dialect.text(chart.axes.y), screen(y_title, canvas), dialect.font(label_size));
     for (const PlacedLabel& label : frame.labels) {
         script += text_block(dialect, canvas, label.lines, label.at, label_size, label.ink);
         if (!label.leader.empty())
@@ -116,12 +120,16 @@ std::string_view marks_of(Marks marks) {
 }
 
 /// One curve, drawn from its rows of the CSV: its spread, then its line.
-std::string plot_of(const ChartData& chart, const Curve& curve, const Frame& frame, const std::string& csv) {
+std::string plot_of(const ChartData& chart, const Curve& curve, const Frame& frame, const Dialect& dialect,
+                    const std::string& csv) {
     const Columns& columns = chart.axes.columns;
     const auto     column  = [&](const std::string& name) { return 1 + chart.table.column(name); };
     const auto     x       = column(columns.x);
     const auto     y       = column(columns.y);
     const auto     data    = fmt::format("{} skip 1 every ::{}::{}", csv, curve.first_row, curve.last_row);
+
+    const auto title =
+        fmt::format("title {}", dialect.text(curve.name));  // what a browser shows over a curve
 
     std::string low;
     std::string high;
@@ -133,14 +141,15 @@ std::string plot_of(const ChartData& chart, const Curve& curve, const Frame& fra
         high = fmt::format("${}", column(columns.max));
     }
     std::string plot;
-    if (!low.empty())  // a bar that reaches to 0 or below leaves a logarithmic axis at its end
-        plot = fmt::format(
-            "{} using {}:{}:(({})>{:.10g}?({}):{:.10g}):({}) with yerrorbars pointtype 0 linewidth 1.5 "
-            "linecolor rgb '{}', ",
-            data, x, y, low, frame.y.min, low, frame.y.min, high, hex(curve.ink));
+    if (!low.empty()) {  // a bar that reaches to 0 or below leaves a logarithmic axis at its end
+        const std::string from = fmt::format("(({0})>{1:.10g}?({0}):{1:.10g})", low, frame.y.min);
+        const std::string line =
+            fmt::format("vectors nohead linewidth 1.5 linecolor rgb '{}'", hex(curve.ink));
+        plot = fmt::format("{} using {}:{}:(0):({}-{}) {} with {}, ", data, x, from, high, from, title, line);
+    }
     return plot +
-           fmt::format("{} using {}:{} with {} linewidth 2.5 pointtype 7 pointsize 0.6 linecolor rgb '{}'",
-                       data, x, y, marks_of(chart.axes.marks), hex(curve.ink));
+           fmt::format("{} using {}:{} {} with {} linewidth 2.5 pointtype 7 pointsize 0.6 linecolor rgb '{}'",
+                       data, x, y, title, marks_of(chart.axes.marks), hex(curve.ink));
 }
 
 }  // namespace
@@ -149,14 +158,15 @@ std::string chart_script(const ChartData& chart, const std::filesystem::path& cs
     const std::vector<Curve> curves = curves_of(chart, grouped_by_series(chart));
     const Frame              frame  = lay_out(chart, curves);
     const Dialect            dialect{format};
-    std::string              script = frame_of(chart, frame, dialect) + texts_of(frame, dialect);
+    std::string              script = frame_of(frame, dialect) + texts_of(chart, frame, dialect);
     for (const MarkedX& mark : chart.marked)
         script += fmt::format(
             "set arrow from first {0:.10g}, graph 0 to first {0:.10g}, graph 1 nohead back "
             "dashtype 2 linewidth 1.5 linecolor rgb '{1}'\n",
             mark.x, hex(Ink::grey));
     std::vector<std::string> plots;
-    for (const Curve& curve : curves) plots.push_back(plot_of(chart, curve, frame, gnuplot_string(csv.string())));
+    for (const Curve& curve : curves)
+        plots.push_back(plot_of(chart, curve, frame, dialect, gnuplot_string(csv.string())));
     return script + fmt::format("plot {}\n", fmt::join(plots, ", "));
 }
 

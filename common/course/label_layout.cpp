@@ -31,8 +31,8 @@ bool meets(const Box& box, Point p, Point q) {
 
 /// Neighbours that would stand too close, and the mean of where they want to stand.
 struct Pool {
-    double      mean;
-    std::size_t size;
+    double mean;
+    int    size;
 };
 
 }  // namespace
@@ -44,33 +44,37 @@ int Obstacles::covered_by(const Box& box) const {
     return static_cast<int>(covered);
 }
 
-std::vector<double> spread(const std::vector<double>& wanted, double apart, double low, double high) {
+std::vector<double> spread(const std::vector<double>& wanted, const std::vector<double>& sizes, double low,
+                           double high) {
     std::vector<std::size_t> order(wanted.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return wanted[a] < wanted[b]; });
 
-    // with the i-th shifted down by i distances, "apart" becomes "not smaller than the one before"
+    // measured from where each would stand in a pile without gaps, "clear of the one below" is "not less than it"
+    std::vector<double> pile;
+    double              top = 0;
+    for (const std::size_t i : order) {
+        pile.push_back(top + sizes[i] / 2);
+        top += sizes[i];
+    }
     std::vector<Pool> pools;
     for (std::size_t i = 0; i < order.size(); ++i) {
-        pools.push_back({wanted[order[i]] - static_cast<double>(i) * apart, 1});
+        pools.push_back({wanted[order[i]] - pile[i], 1});
         while (pools.size() > 1 && pools.back().mean < pools[pools.size() - 2].mean) {
             const Pool last = pools.back();
             pools.pop_back();
             Pool& pool = pools.back();
-            pool.mean =
-                (pool.mean * static_cast<double>(pool.size) + last.mean * static_cast<double>(last.size)) /
-                static_cast<double>(pool.size + last.size);
+            pool.mean  = (pool.mean * pool.size + last.mean * last.size) / (pool.size + last.size);
             pool.size += last.size;
         }
     }
 
-    const double        room = std::max(low, high - static_cast<double>(wanted.size() - 1) * apart);
-    std::vector<double> heights(wanted.size());
+    std::vector<double> middles(wanted.size());
     std::size_t         i = 0;
     for (const Pool& pool : pools)
-        for (std::size_t n = 0; n < pool.size; ++n, ++i)
-            heights[order[i]] = std::clamp(pool.mean, low, room) + static_cast<double>(i) * apart;
-    return heights;
+        for (int n = 0; n < pool.size; ++n, ++i)
+            middles[order[i]] = std::clamp(pool.mean, low, std::max(low, high - top)) + pile[i];
+    return middles;
 }
 
 }  // namespace sr::course

@@ -25,9 +25,10 @@ struct Obstacles {
     [[nodiscard]] int covered_by(const Box& box) const;
 };
 
-/// Heights as near as possible to `wanted` (least squares), in the same order, at least `apart` from each other,
-/// and between `low` and `high` where there is room. Ordered regression by pooling neighbours, Barlow et al. (1972).
-[[nodiscard]] std::vector<double> spread(const std::vector<double>& wanted, double apart, double low,
-                                         double high);
+/// The middles of labels of the heights `sizes`, one above the other in the order of `wanted`, as near to that as they
+/// can be without covering each other (least squares), and between `low` and `high` where there is room. Ordered
+/// regression by pooling neighbours, Barlow et al. (1972).
+[[nodiscard]] std::vector<double> spread(const std::vector<double>& wanted, const std::vector<double>& sizes,
+                                         double low, double high);
 
 }  // namespace sr::course

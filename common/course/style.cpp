@@ -18,8 +18,8 @@ double font_height(FontSize size) {
     return heights[static_cast<std::size_t>(size)];
 }
 
-/// The printed picture is 16 cm wide.
-constexpr double points_per_unit = 16 / 2.54 * 72 / Canvas::width;
+/// The printed picture is 16 cm wide; gnuplot's cairo terminals take a point of type for 1/72 in on a 96 dpi screen.
+constexpr double points_per_unit = 16 / 2.54 * 72 / Canvas::width * 72 / 96;
 
 }  // namespace
 
@@ -92,6 +92,18 @@ std::string Dialect::font(FontSize size) const {
     if (tex_) return fmt::format("font '{}'", latex[static_cast<std::size_t>(size)]);
     return fmt::format("font '{},{}'", size == FontSize::title ? "sans-serif:Bold" : "sans-serif",
                        font_height(size));
+}
+
+std::string Dialect::finished(std::string picture) const {
+    const auto replace = [&](std::string_view old, std::string_view by) {
+        const std::size_t at = picture.find(old);
+        if (at != std::string::npos) picture.replace(at, old.size(), by);
+    };
+    if (format_ == "svg") {
+        replace("<svg", "<svg xml:space=\"preserve\"");  // else viewers drop the spaces between two faces
+        replace("<title>Gnuplot</title>\n", "");         // a browser would show it over the whole picture
+    }
+    return picture;
 }
 
 std::string Dialect::power_of_ten() const {

@@ -39,7 +39,9 @@ public:
     [[nodiscard]] std::string terminal(Canvas canvas) const;     ///< "set terminal ..."
     [[nodiscard]] std::string text(std::string_view tex) const;  ///< a label, quoted
     [[nodiscard]] std::string font(FontSize size) const;         ///< "font '...'"
-    [[nodiscard]] std::string power_of_ten() const;              ///< the format of a logarithmic axis, quoted
+    /// What gnuplot drew, with what it leaves out.
+    [[nodiscard]] std::string finished(std::string picture) const;
+    [[nodiscard]] std::string power_of_ten() const;  ///< the format of a logarithmic axis, quoted
 
 private:
     bool        tex_;

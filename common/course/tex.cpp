@@ -272,8 +272,7 @@ std::string escape_enhanced(std::string_view text) {
                            {'^', "\\^"},
                            {'@', "\\@"},
                            {'&', "\\&"},
-                           {'~', "\\~"},
-                           {' ', hard_space}});  // SVG viewers drop spaces between faces
+                           {'~', "\\~"}});
 }
 
 std::string escape_html(std::string_view text) {
