@@ -1,0 +1,276 @@
+/// @file main.cpp
+/// Chapter 1, rays: what a camera sees along straight lines, found in two orders of the same two loops.
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "course/chapter.hpp"
+#include "diagrams.hpp"
+#include "geometry/hierarchy.hpp"
+#include "race.hpp"
+#include "scene/rasteriser.hpp"
+#include "scene/visibility_difference.hpp"
+#include "scenes.hpp"
+#include "shading.hpp"
+#include "transport/primary.hpp"
+
+namespace sr {
+namespace {
+
+double degrees(double radians) {
+    return radians * 180 / std::numbers::pi;
+}
+
+/// 1.1  Which ray belongs to a pixel?
+void pinhole(course::Chapter& chapter) {
+    chapter.section("1.1 A ray for each pixel");
+    auto diagram = chapter.diagram("camera", "The pinhole camera and its rays");
+    draw_camera(diagram);
+    diagram.caption(
+        "The ray through a pixel starts in the pinhole $\\mathbf{o}$ and has its direction's end, $t = 1$, "
+        "in the image plane.");
+
+    const auto camera = published_camera(chapter.options().size);
+    const auto corner = camera.ray({0, 0}).direction;
+    chapter.claim(
+        "1.1 Cornell camera, half the field of view [deg]",
+        {.expected = 19.65385, .measured = degrees(std::atan2(corner.x, corner.z)), .tolerance = 5e-5});
+    chapter.claim(
+        "1.1 the corner's ray is as far up as aside [deg]",
+        {.expected = 19.65385, .measured = degrees(std::atan2(corner.y, corner.z)), .tolerance = 5e-5});
+
+    double worst = 0;
+    for (int i = 0; i < camera.width; ++i) {
+        const Vector2<double> pixel{i + 0.5, camera.height - i - 0.5};
+        const auto            image = camera.project(camera.ray(pixel).at(2.5));
+        worst                       = std::fmax(worst, image ? length(*image - pixel) : HUGE_VAL);
+    }
+    chapter.claim_at_most("1.1 a ray's points project to its own pixel [pixel]", worst, 1e-9);
+}
+
+/// 1.2  What is seen along it?
+void render(course::Chapter& chapter, const std::string& name, const Shot& shot, int samples) {
+    const int factor = static_cast<int>(std::sqrt(samples));
+    auto      fine   = shot.camera;
+    fine.width *= factor;
+    fine.height *= factor;
+    fine.plane_distance *= factor;
+
+    const auto             camera = convert<float>(fine);
+    const Hierarchy<float> hierarchy(convert<float>(shot.scene.mesh));
+    course::Progress       progress("tracing " + name, fine.height * fine.width);
+    const auto             visible = trace_primary(
+                    hierarchy, camera,
+                    {.threads = chapter.options().threads, .on_tile = [&](int, int) { progress.tick(256); }});
+    for (const auto& [suffix, shading, caption] :
+         {std::tuple{"depth", Shading::depth, "by depth: near is bright, far is dark"},
+          {"normal", Shading::normal, "by normal: each axis is a primary colour"},
+          {"head_light", Shading::head_light, "by a light at the eye, equation (1.4)"}}) {
+        chapter.render(name + "_" + suffix,
+                       fmt::format("{} triangles, {} rays a pixel, shaded {}.", shot.scene.mesh.faces.size(),
+                                   factor * factor, caption),
+                       averaged(shade({shot.scene, camera, visible}, shading), factor));
+    }
+}
+
+void what_is_seen(course::Chapter& chapter) {
+    chapter.section("1.2 What is seen along it");
+    const auto& options = chapter.options();
+    if (options.scene) render(chapter, "scene", shot_of_file(*options.scene, options.size), options.samples);
+    render(chapter, "cornell_box", cornell_shot(options.size), options.samples);
+    render(chapter, "teapot", teapot_shot(32, options.size), options.samples);
+}
+
+/// 1.3  What do rays leave out?
+void ray_optics(course::Chapter& chapter) {
+    chapter.section("1.3 What rays leave out");
+    constexpr double speed_of_light = 299'792'458;  // [m/s]
+    constexpr double wavelength     = 550e-9;       // [m], green
+    using namespace cornell_camera;
+
+    const double depth = 559.2e-3;  // [m], of the Cornell box
+    chapter.claim("1.3 light crosses the Cornell box in [ns]",
+                  {.expected = 1.865, .measured = depth / speed_of_light * 1e9, .tolerance = 5e-4});
+
+    // A hole of diameter D blurs a far point to a disk of D by its size and of 2.44 lambda f / D by diffraction.
+    const double best = std::sqrt(2.44 * wavelength * focal_length);
+    chapter.claim("1.3 a real pinhole of this camera is best at [mm]",
+                  {.expected = 0.2167, .measured = best * 1e3, .tolerance = 5e-5});
+    chapter.claim("1.3 and resolves so many points across its film",
+                  {.expected = 115.3, .measured = film_side / best, .tolerance = 0.06});
+}
+
+/// 1.4  Is the image the same if the loops are swapped?
+template <class T>
+VisibilityDifference compare(const Mesh<double>& exact, const Camera<double>& exact_camera, int threads) {
+    const auto         mesh   = convert<T>(exact);
+    const auto         camera = convert<T>(exact_camera);
+    const Hierarchy<T> hierarchy(mesh);
+    return compare_visibility(trace_primary(hierarchy, camera, {.threads = threads}), rasterise(mesh, camera),
+                              mesh, camera);
+}
+
+void loops_swapped(course::Chapter& chapter) {
+    chapter.section("1.4 The loops swapped");
+    auto diagram = chapter.diagram("two_loops", "The same two loops in two orders");
+    draw_two_loops(diagram);
+    diagram.caption(
+        "A ray tracer asks all triangles for one pixel, a rasteriser all pixels for one triangle.");
+
+    constexpr int side    = 512;  // whatever the pictures' size: these numbers are in the text
+    const int     threads = chapter.options().threads;
+    course::Rows  table{{"scene", "space", "precision", "pixels hit", "hit or missed", "other triangle",
+                         "at an edge [pixel]", "unexplained"}};
+    for (const auto& [name, shot] :
+         {std::pair{"Cornell box", cornell_shot(side)}, {"teapot", teapot_shot(32, side)}}) {
+        const auto moved_mesh   = to_camera_space(shot.scene.mesh, shot.camera);
+        const auto moved_camera = in_camera_space(shot.camera);
+        for (const auto& [space, precision, difference] :
+             {std::tuple{"world", "float", compare<float>(shot.scene.mesh, shot.camera, threads)},
+              {"world", "double", compare<double>(shot.scene.mesh, shot.camera, threads)},
+              {"camera", "float", compare<float>(moved_mesh, moved_camera, threads)},
+              {"camera", "double", compare<double>(moved_mesh, moved_camera, threads)}}) {
+            table.add({name, space, precision, difference.hit, difference.hit_or_missed,
+                       difference.other_triangle, difference.edge_distance, difference.unexplained});
+            const auto which = fmt::format("1.4 {}, {} in {} space: pixels", name, precision, space);
+            chapter.claim(which + " hit by one only",
+                          {.expected = 0, .measured = double(difference.hit_or_missed), .tolerance = 0});
+            chapter.claim(which + " that differ without an excuse",
+                          {.expected = 0, .measured = double(difference.unexplained), .tolerance = 0});
+        }
+    }
+    chapter.say(table);
+}
+
+/// 1.5  What if the whole scene stands far from the origin?
+double wrong_pixels(const VisibilityImage<float>& image, const VisibilityImage<double>& exact) {
+    int wrong = 0;
+    for (std::size_t i = 0; i < exact.pixels().size(); ++i)
+        wrong += image.pixels()[i].face != exact.pixels()[i].face ? 1 : 0;
+    return wrong / double(exact.pixels().size());
+}
+
+void far_from_the_origin(course::Chapter& chapter) {
+    chapter.section("1.5 Far from the origin");
+    auto       chart = chapter.chart("far_from_the_origin", "A teapot and its camera, moved together",
+                                     {.x   = "distance from the origin [teapot lengths]",
+                                      .y   = "pixels that see another triangle [\\%]",
+                                      .log = course::axis::x});
+    const auto shot  = teapot_shot(16, 256);
+    const auto exact = rasterise(shot.scene.mesh, shot.camera);
+    for (double distance = 1; distance <= 1e7; distance *= 10) {
+        const Vector3<double> offset = 6.5 * distance * normalize(Vector3<double>{3, 4, 5});
+        auto                  mesh   = shot.scene.mesh;
+        auto                  camera = shot.camera;
+        for (auto& vertex : mesh.vertices) vertex += offset;
+        camera.position += offset;
+
+        const auto world = convert<float>(mesh);
+        const auto moved = convert<float>(to_camera_space(mesh, camera));
+        chart.add("float, world space", distance,
+                  100 * wrong_pixels(trace_primary(Hierarchy<float>(world), convert<float>(camera)), exact));
+        chart.add("float, camera space", distance,
+                  100 * wrong_pixels(
+                            trace_primary(Hierarchy<float>(moved), convert<float>(in_camera_space(camera))),
+                            exact));
+    }
+    chapter.claim_at_most("1.5 in camera space, pixels wrong at 10^6 lengths [%]",
+                          chart.at("float, camera space", 1e6), 0.01);
+    chapter.claim_at_most("1.5 in world space, pixels right at 10^6 lengths [%]",
+                          100 - chart.at("float, world space", 1e6), 50);
+    chart.caption(
+        "Subtract the camera's position in double before rounding to float, and the distance no longer "
+        "matters.");
+}
+
+/// 1.6  Which is faster?
+struct Curves {
+    std::vector<double>                        x;
+    std::map<std::string, std::vector<double>> seconds;
+};
+
+course::Axes race_axes(const std::string& x) {
+    return {.x = x, .y = "time for an image [s]", .log = course::axis::xy, .columns = [] {
+                auto columns  = course::speed_accuracy({"triangles", "pixels", "seconds_min", "seconds_max"});
+                columns.x     = "effort";
+                columns.y     = "seconds";
+                columns.error = "";
+                columns.min   = "seconds_min";
+                columns.max   = "seconds_max";
+                return columns;
+            }()};
+}
+
+void add(course::Chart& chart, Curves& curves, const Race& race, const std::vector<Lap>& laps,
+         double effort) {
+    curves.x.push_back(effort);
+    for (const auto& lap : laps) {
+        chart.row({lap.method, effort, lap.seconds, lap.error, lap.error_se, race.triangles(), race.pixels(),
+                   lap.seconds_min, lap.seconds_max});
+        curves.seconds[lap.method].push_back(lap.seconds);
+    }
+}
+
+/// Marks where the rasteriser begins to lose to (or, in the other direction, to win from) a ray tracer.
+std::string mark_crossing(course::Chart& chart, const Curves& curves, const std::string& slower,
+                          const std::string& faster) {
+    const auto x = crossing(curves.x, curves.seconds.at(slower), curves.seconds.at(faster));
+    if (!x) return fmt::format("{} never takes longer than {} here", slower, faster);
+    chart.mark_x(*x, fmt::format("{:.2g}", *x));
+    return fmt::format("{} takes longer than {} from {:.2g} on", slower, faster, *x);
+}
+
+void which_is_faster(course::Chapter& chapter) {
+    chapter.section("1.6 Which is faster");
+    const bool   draft   = chapter.options().quality == course::Quality::draft;
+    const int    repeats = draft ? 1 : 3;
+    const double tests   = draft ? 2e6 : 1.5e7;
+    const int    side    = chapter.options().size;
+
+    auto by_triangles = chapter.chart(
+        "triangles", fmt::format("One image of {0} x {0} pixels, one thread", side), race_axes("triangles"));
+    Curves                 triangles;
+    const std::vector<int> levels{1, 2, 4, 8, 16, 32, 64, 125};
+    course::Progress       progress("racing", static_cast<std::int64_t>(levels.size()) + 7);
+    for (const int level : levels) {
+        const Race race(level, side);
+        add(by_triangles, triangles, race, race.run(repeats, tests, chapter.options().seed),
+            double(race.triangles()));
+        progress.tick();
+    }
+    const auto first =
+        mark_crossing(by_triangles, triangles, "rays, all triangles", "rays, hierarchy and its building");
+    const auto second = mark_crossing(by_triangles, triangles, "rasteriser", "rays, hierarchy");
+    by_triangles.caption(first + "; " + second + ".");
+
+    auto by_pixels =
+        chapter.chart("pixels", "One image of 65 024 triangles, one thread", race_axes("pixels"));
+    Curves pixels;
+    for (int edge = 16; edge <= 2 * side; edge *= 2) {
+        const Race race(32, edge);
+        add(by_pixels, pixels, race, race.run(repeats, tests, chapter.options().seed), double(race.pixels()));
+        progress.tick();
+    }
+    by_pixels.caption(mark_crossing(by_pixels, pixels, "rays, hierarchy", "rasteriser") + ".");
+}
+
+}  // namespace
+}  // namespace sr
+
+int main(int argc, char** argv) {
+    using namespace sr;
+    const course::Defaults defaults{.size = {128, 512, 1024}, .samples = {1, 16, 16}, .renders_scene = true};
+    return course::run(argc, argv, "01_rays", "Rays", defaults, [](course::Chapter& chapter) {
+        pinhole(chapter);
+        what_is_seen(chapter);
+        ray_optics(chapter);
+        loops_swapped(chapter);
+        far_from_the_origin(chapter);
+        which_is_faster(chapter);
+    });
+}
