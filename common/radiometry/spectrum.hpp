@@ -10,9 +10,9 @@ struct Spectrum {
     float g = 0;
     float b = 0;
 
-    friend constexpr Spectrum operator+(Spectrum a, Spectrum b) { return {a.r + b.r, a.g + b.g, a.b + b.b}; }
-    friend constexpr Spectrum operator*(Spectrum a, Spectrum b) { return {a.r * b.r, a.g * b.g, a.b * b.b}; }
-    friend constexpr Spectrum operator*(float s, Spectrum a) { return {s * a.r, s * a.g, s * a.b}; }
+    friend constexpr Spectrum operator+(Spectrum s, Spectrum t) { return {s.r + t.r, s.g + t.g, s.b + t.b}; }
+    friend constexpr Spectrum operator*(Spectrum s, Spectrum t) { return {s.r * t.r, s.g * t.g, s.b * t.b}; }
+    friend constexpr Spectrum operator*(float k, Spectrum s) { return {k * s.r, k * s.g, k * s.b}; }
     friend constexpr bool     operator==(Spectrum, Spectrum) = default;
 };
 
