@@ -37,8 +37,8 @@ std::vector<Patch> with_copies(const Patch& patch, const std::string& symmetry) 
         Patch copy = patch;
         for (auto& row : copy) {
             for (Point& p : row) p.y = 0 - p.y;
-            std::reverse(row.begin(),
-                         row.end());  // a mirror turns a surface inside out, and this turns it back
+            // a mirror turns a surface inside out, and the other direction turns it back
+            std::reverse(row.begin(), row.end());
         }
         all.push_back(copy);
     } else {
