@@ -8,7 +8,6 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <regex>
 #include <stdexcept>
 #include <thread>
 
@@ -36,11 +35,12 @@ std::string read_text(const fs::path& path) {
     return {std::istreambuf_iterator<char>(file), {}};
 }
 
-/// The first group of the first line in `text` that is all of `pattern`; empty where there is none.
-std::string first_line_like(const std::string& text, const std::string& pattern) {
-    std::smatch      found;
-    const std::regex line("(?:^|\n)" + pattern + "(?=\n|$)");
-    return std::regex_search(text, found, line) ? found.str(1) : "";
+/// What follows `start` on the first line of a file that begins with it, an @command left out; empty where none does.
+std::string first_line_after(const std::string& start, const fs::path& path) {
+    std::ifstream file(path);
+    for (std::string line; std::getline(file, line);)
+        if (line.starts_with(start) && !line.starts_with(start + "@")) return line.substr(start.size());
+    return "";
 }
 
 // ---------------------------------------------------------------------------------------- building
@@ -105,10 +105,9 @@ std::string chapter_named(const std::string& word) {
         fmt::format("there is no chapter '{}'; there are {}", word, fmt::join(known, ", ")));
 }
 
-/// The first heading of its text, without the number that the name has already.
+/// The first heading of its text.
 std::string title_of(const std::string& chapter) {
-    const std::string text = read_text(source_folder / "chapters" / chapter / "README.md");
-    return first_line_like(text, "# +(.+)");
+    return first_line_after("# ", source_folder / "chapters" / chapter / "README.md");
 }
 
 bool names_out(const Words& options) {
@@ -145,27 +144,36 @@ int list(const course::Arguments&) {
 
 constexpr std::uintmax_t published_limit = 150'000;  // bytes; a page of text shows several
 
-/// Copies the pictures of `chapter` that a text shows from `figures` to docs/pictures. A text names the
-/// picture 01_rays/loops.svg as docs/pictures/01_loops.svg.
-void publish(const std::string& chapter, const fs::path& figures) {
-    const fs::path pictures = source_folder / "docs" / "pictures";
-    std::string    text     = read_text(source_folder / "README.md");
+/// The pictures of `chapter` that the texts show, by the names of its figures: docs/pictures/01_loops.svg is
+/// loops.svg.
+Words shown_pictures(const std::string& chapter) {
+    std::string text = read_text(source_folder / "README.md");
     for (const std::string& name : chapters())
         text += read_text(source_folder / "chapters" / name / "README.md");
 
-    const std::regex shown("docs/pictures/" + chapter.substr(0, 3) + R"(([\w-]+\.(?:svg|png)))");
+    const std::string start = "docs/pictures/" + chapter.substr(0, 3);
+    Words             names;
+    for (std::size_t at = text.find(start); at != std::string::npos; at = text.find(start, at + 1)) {
+        const std::size_t name = at + start.size();
+        names.push_back(text.substr(name, text.find_first_of(")\" \n", name) - name));
+    }
+    return names;
+}
+
+/// Copies the pictures of `chapter` that a text shows from `figures` to docs/pictures.
+void publish(const std::string& chapter, const fs::path& figures) {
+    const fs::path pictures = source_folder / "docs" / "pictures";
     fs::create_directories(pictures);
-    for (std::sregex_iterator match(text.begin(), text.end(), shown), none; match != none; ++match) {
-        const fs::path figure = figures / chapter / match->str(1);
+    for (const std::string& name : shown_pictures(chapter)) {
+        const fs::path figure = figures / chapter / name;
         if (!fs::exists(figure))
-            throw std::runtime_error(fmt::format("a text shows {}, but the chapter did not make {}",
-                                                 match->str(), figure.string()));
+            throw std::runtime_error(
+                fmt::format("a text shows {}, which {} did not make", figure.string(), chapter));
         if (fs::file_size(figure) > published_limit)
             throw std::runtime_error(
                 fmt::format("{} has {} bytes, a published picture at most {}: choose a smaller --size",
                             figure.string(), fs::file_size(figure), published_limit));
-        fs::copy_file(figure, pictures / (chapter.substr(0, 3) + match->str(1)),
-                      fs::copy_options::overwrite_existing);
+        fs::copy_file(figure, pictures / (chapter.substr(0, 3) + name), fs::copy_options::overwrite_existing);
     }
 }
 
@@ -219,9 +227,9 @@ std::vector<fs::path> topics() {
     return files;
 }
 
-/// The first line of a file's comment that is not its name.
-std::string purpose_of(const fs::path& file) {
-    return first_line_like(read_text(file), file.extension() == ".cpp" ? "/// +([^@\n].*)" : "# +(.+)");
+/// The first line of its comment that is not its name.
+std::string purpose_of(const fs::path& topic) {
+    return first_line_after(topic.extension() == ".cpp" ? "/// " : "# ", topic);
 }
 
 int list_topics() {
