@@ -5,36 +5,21 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <limits>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 
 #include "image/image.hpp"
 #include "image/write_image.hpp"
+#include "scratch_folder.hpp"
 
 #define STB_IMAGE_IMPLEMENTATION
 #include <stb_image.h>
 
 using namespace sr;
+using sr::test::ScratchFolder;
 
 namespace {
-
-/// A file of this test's own, gone with it.
-struct ScratchFile {
-    std::filesystem::path path;
-
-    explicit ScratchFile(const std::string& name)
-        : path{std::filesystem::path(STERADIAN_BINARY_DIR) / name} {}
-    ~ScratchFile() { std::filesystem::remove(path); }
-
-    [[nodiscard]] std::string bytes() const {
-        std::ostringstream all;
-        all << std::ifstream(path, std::ios::binary).rdbuf();
-        return all.str();
-    }
-};
 
 /// What the writer says to the picture, "" if it has nothing to say.
 template <class Write>
@@ -69,16 +54,17 @@ TEST_CASE("image: a side of no pixels, or of too many, is refused") {
 }
 
 TEST_CASE("png: sRGB's transfer function, clamped, and each channel and pixel in its place") {
-    const ScratchFile file("image_test.png");
-    Image<Spectrum>   image(3, 2);
+    const ScratchFolder folder("image_test");
+    const auto          path = folder.path / "a.png";
+    Image<Spectrum>     image(3, 2);
     image(0, 0) = {0, 1, 0.5f};
     image(1, 0) = {0.18f, 0.0031308f, 0.001f};  // middle grey; the end of the straight piece; on it
     image(2, 0) = {-1, 2, 1e30f};               // clamped
     image(0, 1) = {0.725f, 0.065f, 0.05f};
-    write_png(file.path, image);
+    write_png(path, image);
 
     int            width = 0, height = 0, channels = 0;
-    unsigned char* pixels = stbi_load(file.path.string().c_str(), &width, &height, &channels, 0);
+    unsigned char* pixels = stbi_load(path.string().c_str(), &width, &height, &channels, 0);
     REQUIRE(pixels != nullptr);
     CHECK(width == 3);
     CHECK(height == 2);
@@ -93,15 +79,16 @@ TEST_CASE("png: sRGB's transfer function, clamped, and each channel and pixel in
 }
 
 TEST_CASE("hdr: three mantissas and one exponent, decoded by hand") {
-    const ScratchFile file("image_test.hdr");
-    Image<Spectrum>   image(2, 2);
+    const ScratchFolder folder("image_test");
+    const auto          path = folder.path / "a.hdr";
+    Image<Spectrum>     image(2, 2);
     image(0, 0) = {1, 0.5f, 0.25f};
     image(1, 0) = {0, 0, 0};
     image(0, 1) = {17, 12, 4};
     image(1, 1) = {1e-20f, 3e37f, 1e30f};
-    write_hdr(file.path, image);
+    write_hdr(path, image);
 
-    const std::string bytes  = file.bytes();
+    const std::string bytes  = test::read_text(path);
     const std::string header = "-Y 2 +X 2\n";
     CHECK(bytes.starts_with("#?RADIANCE\n"));
     const std::size_t start = bytes.find(header) + header.size();
@@ -119,19 +106,20 @@ TEST_CASE("hdr: three mantissas and one exponent, decoded by hand") {
 }
 
 TEST_CASE("hdr: a wide image, whose rows are run-length encoded, and the same bytes each time") {
-    const ScratchFile file("image_test_wide.hdr");
-    Image<Spectrum>   image(300, 3);
+    const ScratchFolder folder("image_test");
+    const auto          path = folder.path / "wide.hdr";
+    Image<Spectrum>     image(300, 3);
     for (int y = 0; y < 3; ++y) {
         for (int x = 0; x < 300; ++x)
             image(x, y) = {x < 200 ? 1.0f : static_cast<float>(x), static_cast<float>(y), 2};
     }
-    write_hdr(file.path, image);
-    const std::string first = file.bytes();
-    write_hdr(file.path, image);
-    CHECK(file.bytes() == first);
+    write_hdr(path, image);
+    const std::string first = test::read_text(path);
+    write_hdr(path, image);
+    CHECK(test::read_text(path) == first);
 
     int    width = 0, height = 0, channels = 0;
-    float* pixels = stbi_loadf(file.path.string().c_str(), &width, &height, &channels, 3);
+    float* pixels = stbi_loadf(path.string().c_str(), &width, &height, &channels, 3);
     REQUIRE(pixels != nullptr);
     REQUIRE(width == 300);
     REQUIRE(height == 3);
@@ -147,22 +135,23 @@ TEST_CASE("hdr: a wide image, whose rows are run-length encoded, and the same by
 }
 
 TEST_CASE("a pixel that no format can hold is named, and nothing is written") {
-    const float       nan = std::numeric_limits<float>::quiet_NaN();
-    const float       inf = std::numeric_limits<float>::infinity();
-    const ScratchFile file("image_test_bad.any");
-    Image<Spectrum>   image(4, 3, {1, 1, 1});
+    const float         nan = std::numeric_limits<float>::quiet_NaN();
+    const float         inf = std::numeric_limits<float>::infinity();
+    const ScratchFolder folder("image_test");
+    const auto          path = folder.path / "bad.any";
+    Image<Spectrum>     image(4, 3, {1, 1, 1});
 
     image(3, 2) = {0, nan, 0};
-    CHECK(complaint(write_png, file.path, image).find("pixel (3, 2) is (0, nan, 0): must be finite") !=
+    CHECK(complaint(write_png, path, image).find("pixel (3, 2) is (0, nan, 0): must be finite") !=
           std::string::npos);
-    CHECK(complaint(write_hdr, file.path, image).find("pixel (3, 2) is (0, nan, 0): must be 0 or more") !=
+    CHECK(complaint(write_hdr, path, image).find("pixel (3, 2) is (0, nan, 0): must be 0 or more") !=
           std::string::npos);
     image(3, 2) = {0, 0, -inf};
-    CHECK(complaint(write_png, file.path, image).find("pixel (3, 2)") != std::string::npos);
-    CHECK(complaint(write_hdr, file.path, image).find("pixel (3, 2)") != std::string::npos);
+    CHECK(complaint(write_png, path, image).find("pixel (3, 2)") != std::string::npos);
+    CHECK(complaint(write_hdr, path, image).find("pixel (3, 2)") != std::string::npos);
     image(3, 2) = {-1e-6f, 0, 3e38f};
-    CHECK(complaint(write_hdr, file.path, image).find("pixel (3, 2)") != std::string::npos);
-    CHECK(!std::filesystem::exists(file.path));
-    CHECK(complaint(write_png, file.path, image) == "");
-    CHECK(std::filesystem::exists(file.path));
+    CHECK(complaint(write_hdr, path, image).find("pixel (3, 2)") != std::string::npos);
+    CHECK(folder.files() == 0);
+    CHECK(complaint(write_png, path, image) == "");
+    CHECK(folder.files() == 1);
 }

@@ -14,27 +14,18 @@
 
 #include "sampling/rng.hpp"
 #include "scene/obj.hpp"
+#include "scratch_folder.hpp"
 
 using namespace sr;
+using sr::test::ScratchFolder;
 
 namespace {
 
-/// A folder of this test's own, gone with it.
-struct ScratchFolder {
-    std::filesystem::path path;
-
-    explicit ScratchFolder(const std::string& name)
-        : path{std::filesystem::path(STERADIAN_BINARY_DIR) / name} {
-        std::filesystem::create_directories(path);
-    }
-    ~ScratchFolder() { std::filesystem::remove_all(path); }
-
-    std::filesystem::path write(const std::string& name, const std::string& bytes) const {
-        std::filesystem::remove(path / name);  // file systems that flush what is overwritten are slow
-        std::ofstream(path / name, std::ios::binary) << bytes;
-        return path / name;
-    }
-};
+std::filesystem::path write(const ScratchFolder& folder, const std::string& name, const std::string& bytes) {
+    std::filesystem::remove(folder.path / name);  // file systems that flush what is overwritten are slow
+    std::ofstream(folder.path / name, std::ios::binary) << bytes;
+    return folder.path / name;
+}
 
 const std::string square =
     "v 0 0 0\n"
@@ -52,9 +43,9 @@ const std::string paints =
 /// What reading says of a file of these bytes, without the folder's name; "" if it reads.
 std::string complaint(const std::string& bytes) {
     const ScratchFolder folder("obj_test");
-    folder.write("paints.mtl", paints);
+    write(folder, "paints.mtl", paints);
     try {
-        static_cast<void>(read_obj(folder.write("test.obj", bytes)));
+        static_cast<void>(read_obj(write(folder, "test.obj", bytes)));
     } catch (const std::runtime_error& error) {
         const std::string message = error.what();
         const std::string prefix  = (folder.path / "").string();
@@ -66,9 +57,9 @@ std::string complaint(const std::string& bytes) {
 /// The same of an MTL file.
 std::string complaint_of_mtl(const std::string& bytes) {
     const ScratchFolder folder("obj_test");
-    folder.write("test.mtl", bytes);
+    write(folder, "test.mtl", bytes);
     try {
-        static_cast<void>(read_obj(folder.write("test.obj", "mtllib test.mtl\n" + square + "f 1 2 3\n")));
+        static_cast<void>(read_obj(write(folder, "test.obj", "mtllib test.mtl\n" + square + "f 1 2 3\n")));
     } catch (const std::runtime_error& error) {
         return std::string(error.what()).substr((folder.path / "").string().size());
     }
@@ -77,8 +68,8 @@ std::string complaint_of_mtl(const std::string& bytes) {
 
 Scene read(const std::string& bytes) {
     const ScratchFolder folder("obj_test");
-    folder.write("paints.mtl", paints);
-    return read_obj(folder.write("test.obj", bytes));
+    write(folder, "paints.mtl", paints);
+    return read_obj(write(folder, "test.obj", bytes));
 }
 
 using Faces = std::vector<Mesh<double>::Face>;
@@ -280,8 +271,8 @@ TEST_CASE("obj: a damaged file is either refused or read as something that is us
     for (int run = 0; run < 4000; ++run) {
         Rng        rng{1, run, 0, 0};
         const bool of_obj = rng.next_u32() % 4 != 0;
-        folder.write("m.mtl", of_obj ? paints : mutated(paints, rng));
-        const auto path = folder.write("a.obj", of_obj ? mutated(obj, rng) : obj);
+        write(folder, "m.mtl", of_obj ? paints : mutated(paints, rng));
+        const auto path = write(folder, "a.obj", of_obj ? mutated(obj, rng) : obj);
         try {
             const Scene scene = read_obj(path);
             if (!usable(scene)) FAIL_CHECK("run " << run);
