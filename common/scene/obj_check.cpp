@@ -8,7 +8,6 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <cstdlib>
 #include <limits>
 #include <optional>
 #include <set>
@@ -37,14 +36,13 @@ std::string in_quotes(std::string_view word) {
     return word.size() <= 40 ? fmt::format("'{}'", word) : fmt::format("'{}...'", word.substr(0, 37));
 }
 
-/// A decimal number that is finite in float as well.
+/// A decimal number that float can hold; in every locale.
 std::optional<double> parse_number(std::string_view word) {
-    if (word.find_first_not_of("+-.0123456789eE") != word.npos) return {};  // strtod also takes nan and hex
-    const std::string text(word);
-    char*             end   = nullptr;
-    const double      value = std::strtod(text.c_str(), &end);
-    if (text.empty() || end != text.c_str() + text.size()) return {};
-    if (!(std::abs(value) <= std::numeric_limits<float>::max())) return {};
+    if (word.starts_with('+') && !word.starts_with("+-")) word.remove_prefix(1);  // from_chars knows no plus
+    double value            = 0;
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+    if (error != std::errc{} || end != word.data() + word.size()) return {};
+    if (!(std::abs(value) <= std::numeric_limits<float>::max())) return {};  // nor nan and inf
     return value;
 }
 
@@ -54,7 +52,8 @@ std::vector<double> numbers(const path& file, const Statement& statement) {
     for (const std::string_view word : std::span(statement.words).subspan(1)) {
         const auto value = parse_number(word);
         if (!value)
-            refuse(file, statement, "{} after {}; must be a number that is finite in float, such as -1.5e3",
+            refuse(file, statement,
+                   "{} after {}; must be a finite number that float can hold, such as -1.5e3",
                    in_quotes(word), statement.words[0]);
         values.push_back(*value);
     }

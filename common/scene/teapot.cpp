@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <locale>
 #include <map>
 #include <sstream>
 #include <stdexcept>
@@ -58,9 +59,10 @@ std::vector<Patch> read_patches() {
         if (line.starts_with('#') || line.starts_with("patch,")) continue;
         std::replace(line.begin(), line.end(), ',', ' ');
         std::istringstream fields(line);
-        std::string        part, symmetry;
-        std::size_t        number = 0, row = 0, column = 0;
-        Point              p{};
+        fields.imbue(std::locale::classic());  // whose decimal point is a point
+        std::string part, symmetry;
+        std::size_t number = 0, row = 0, column = 0;
+        Point       p{};
         fields >> number >> part >> symmetry >> row >> column >> p.x >> p.y >> p.z;
         if (!fields || 16 * number + 4 * row + column != points) {
             throw std::runtime_error(

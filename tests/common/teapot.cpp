@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <locale>
 #include <map>
 #include <set>
 #include <stdexcept>
@@ -205,6 +206,18 @@ TEST_CASE("teapot: it is its own image under y -> -y") {
     for (const Point& p : mesh.vertices) found += positions.count({p.x, -p.y, p.z});
     CHECK(positions.size() == mesh.vertices.size());
     CHECK(found == mesh.vertices.size());
+}
+
+TEST_CASE("teapot: the same where the decimal point is a comma") {
+    struct Comma : std::numpunct<char> {
+        [[nodiscard]] char do_decimal_point() const override { return ','; }
+    };
+    const Mesh<double> expected = teapot(2);
+    const std::locale  before   = std::locale::global(std::locale(std::locale::classic(), new Comma));
+    const Mesh<double> mesh     = teapot(2);
+    std::locale::global(before);
+    CHECK(mesh.vertices == expected.vertices);
+    CHECK(mesh.faces == expected.faces);
 }
 
 TEST_CASE("teapot: a million triangles, welded all the same") {
