@@ -21,43 +21,43 @@ namespace sr {
 inline void draw_camera(course::Diagram diagram) {
     using course::Ink;
     using V             = Vector3<double>;
-    constexpr double f  = 3;  // the plane's distance
+    constexpr double f  = 4.6;  // the plane's distance
     const auto       at = [](double x, double y, double z) { return on_paper({x, y, z}); };
 
-    const std::array<V, 3> surface{V{-1.6, -1.2, 7.6}, V{1.9, -1.3, 7.9}, V{0.6, 2.3, 7.3}};
+    const std::array<V, 3> surface{V{-2.4, -1.0, 9.6}, V{2.6, -1.4, 9.9}, V{0.4, 2.6, 9.0}};
     diagram.polygon({on_paper(surface[0]), on_paper(surface[1]), on_paper(surface[2])}, {Ink::green}, 0.25);
 
     // The plane's frame, 8 x 6 pixels of side 0.5, and the pixel that the ray goes through.
-    for (int i = 0; i <= 8; ++i)
-        diagram.line(at(-2 + 0.5 * i, -1.5, f), at(-2 + 0.5 * i, 1.5, f), {Ink::grey, course::Weight::thin});
-    for (int j = 0; j <= 6; ++j)
-        diagram.line(at(-2, -1.5 + 0.5 * j, f), at(2, -1.5 + 0.5 * j, f), {Ink::grey, course::Weight::thin});
+    const course::Pen thin{Ink::grey, course::Weight::thin};
+    for (int i = 0; i <= 8; ++i) diagram.line(at(-2 + 0.5 * i, -1.5, f), at(-2 + 0.5 * i, 1.5, f), thin);
+    for (int j = 0; j <= 6; ++j) diagram.line(at(-2, -1.5 + 0.5 * j, f), at(2, -1.5 + 0.5 * j, f), thin);
     diagram.polygon({at(-2, -1.5, f), at(2, -1.5, f), at(2, 1.5, f), at(-2, 1.5, f)}, {Ink::blue});
     diagram.polygon({at(0, 0, f), at(0.5, 0, f), at(0.5, 0.5, f), at(0, 0.5, f)}, {Ink::vermilion}, 0.5);
     for (const double x : {-2.0, 2.0}) {
-        for (const double y : {-1.5, 1.5})
+        for (const double y : {-1.5, 1.5}) {
             diagram.line(at(0, 0, 0), at(x, y, f), {Ink::blue, course::Weight::thin, true});
+        }
     }
 
     const V      d{0.25, 0.25, f};
-    const double t = 2.52;
+    const double t = 2.06;
     diagram.arrow(at(0, 0, 0), on_paper(d), {Ink::vermilion, course::Weight::thick});
-    diagram.line(on_paper(d), on_paper(t * d), {Ink::vermilion, course::Weight::medium});
+    diagram.line(on_paper(d), on_paper(t * d), {Ink::vermilion});
     diagram.point(on_paper(t * d), {Ink::vermilion});
+    for (const V& axis : {V{1.7, 0, 0}, V{0, 1.3, 0}, V{0, 0, 1.5}})
+        diagram.arrow(at(0, 0, 0), on_paper(axis));
     diagram.point(at(0, 0, 0));
 
-    diagram.arrow(at(0, 0, 0), at(0, 1.3, 0), {Ink::black});
-    diagram.arrow(at(0, 0, 0), at(1.5, 0, 0), {Ink::black});
-    diagram.arrow(at(0, 0, 0), at(0, 0, 1.3), {Ink::black});
-    diagram.label(at(-0.1, 1.45, -0.35), "up $\\mathbf{v}$");
-    diagram.label(at(1.62, 0.02, -0.02), "right $\\mathbf{u}$");
-    diagram.label(at(0, -0.28, 0.75), "forward $\\mathbf{w}$");
-    diagram.label(at(0, -0.3, -0.2), "pinhole $\\mathbf{o}$", course::Anchor::right);
-    diagram.label(at(-2, -1.95, f), "image plane, at distance $f$", course::Anchor::left, Ink::blue);
-    diagram.label(at(0.55, 0.75, f), "$\\mathbf{d}$", course::Anchor::centre, Ink::vermilion);
-    diagram.label(on_paper(t * d) + course::Point{0.15, 0.25},
-                  "$\\mathbf{r}(t) = \\mathbf{o} + t\\,\\mathbf{d}$", course::Anchor::left, Ink::vermilion);
-    diagram.label(at(1.9, -1.75, 7.4), "surface", course::Anchor::left, Ink::green);
+    using course::Anchor;
+    diagram.label(at(0, 1.55, 0), "$\\mathbf{v}$", Anchor::centre);
+    diagram.label(at(2.0, 0.05, 0), "$\\mathbf{u}$", Anchor::centre);
+    diagram.label(at(0, -0.2, 1.45), "$\\mathbf{w}$", Anchor::centre);
+    diagram.label(at(0, -0.3, -0.15), "pinhole $\\mathbf{o}$", Anchor::right);
+    diagram.label(at(-2, -1.95, f), "image plane, at distance $f$", Anchor::left, Ink::blue);
+    diagram.label(at(0.25, 0.86, f), "$\\mathbf{d}$", Anchor::centre, Ink::vermilion);
+    diagram.label({5.75, 1.3}, "$\\mathbf{r}(t) = \\mathbf{o} + t\\,\\mathbf{d}$", Anchor::left,
+                  Ink::vermilion);
+    diagram.label(on_paper(surface[1]) + course::Point{0.15, 0.1}, "surface", Anchor::left, Ink::green);
 }
 
 /// Three triangles before an image of 12 x 9 pixels, the last in front of the others.
@@ -100,8 +100,6 @@ inline void draw_two_loops(course::Diagram diagram) {
             if (covered(x, y).hit()) pixel(x, y, right_panel, inks[2], 0.35);
         }
     }
-    pixel(6, 3, 0, Ink::vermilion, 0.6);
-
     for (const double shift : {0.0, right_panel}) {
         for (int x = 0; x <= 12; ++x)
             diagram.line({x + shift, 0}, {x + shift, 9}, {Ink::grey, course::Weight::thin});
@@ -119,6 +117,7 @@ inline void draw_two_loops(course::Diagram diagram) {
                             shift == 0 ? 0.12 : 0.0);
         }
     }
+    pixel(6, 3, 0, Ink::vermilion, 0.9);
     diagram.label({6, 10.2}, "ray tracing", course::Anchor::centre, Ink::vermilion);
     diagram.label({6 + right_panel, 10.2}, "rasterisation", course::Anchor::centre, Ink::purple);
     diagram.label({0, -0.9}, "for each pixel:");

@@ -28,9 +28,10 @@ class TriangleSetup {
 public:
     using Vector = Vector3<double>;
 
-    /// Vertices in camera space. None for a triangle that is seen edge-on or has no area.
-    [[nodiscard]] static std::optional<TriangleSetup> of(Vector a, Vector b, Vector c,
-                                                         double plane_distance) {
+    /// A triangle in camera space. None if it is seen edge-on or has no area.
+    [[nodiscard]] static std::optional<TriangleSetup> of(const Triangle<double>& seen,
+                                                         double                  plane_distance) {
+        const auto& [a, b, c] = seen;
         TriangleSetup setup{{accurate_cross(b, c), accurate_cross(c, a), accurate_cross(a, b)},
                             Vector(a.z, b.z, c.z) / plane_distance};
         const double  volume = dot(a, setup.weight_[0]);
@@ -69,14 +70,14 @@ struct PixelRange {
 };
 
 /// The pixels that a triangle can cover: around its projected vertices, or all if it reaches behind the camera.
-template <std::floating_point T>
-[[nodiscard]] PixelRange pixels_around(const Triangle<T>& triangle, const Camera<T>& camera) {
+[[nodiscard]] inline PixelRange pixels_around(const Triangle<double>& triangle,
+                                              const Camera<double>&   camera) {
     PixelRange range{camera.width, camera.height, 0, 0};
     for (const auto& vertex : {triangle.a, triangle.b, triangle.c}) {
         const auto image = camera.project(vertex);
         if (!image) return {0, 0, camera.width, camera.height};
-        const auto clamped = [](T value, int size) {
-            return static_cast<int>(std::clamp(value, T{0}, static_cast<T>(size)));
+        const auto clamped = [](double value, int size) {
+            return static_cast<int>(std::clamp(value, 0.0, static_cast<double>(size)));
         };
         // A pixel more on each side than the projection says, for its rounding.
         range.x_begin = std::min(range.x_begin, clamped(image->x - 1, camera.width));
@@ -91,15 +92,15 @@ template <std::floating_point T>
 /// for rays.
 template <std::floating_point T>
 [[nodiscard]] VisibilityImage<T> rasterise(const Mesh<T>& mesh, const Camera<T>& camera) {
-    VisibilityImage<T> image(camera.width, camera.height);
-    const auto         canonical = in_camera_space(convert<double>(camera));
+    VisibilityImage<T>   image(camera.width, camera.height);
+    const Camera<double> exact     = convert<double>(camera);
+    const Camera<double> canonical = in_camera_space(exact);
     for (std::uint32_t face = 0; face < mesh.faces.size(); ++face) {
-        const Triangle<T> triangle = mesh.triangle(face);
-        const auto        seen     = [&](Vector3<T> v) { return Vector3<double>(camera.to_camera(v)); };
-        const auto        setup =
-            TriangleSetup::of(seen(triangle.a), seen(triangle.b), seen(triangle.c), canonical.plane_distance);
+        const auto [a, b, c] = mesh.triangle(face);
+        const Triangle<double> seen{exact.to_camera(a), exact.to_camera(b), exact.to_camera(c)};
+        const auto             setup = TriangleSetup::of(seen, camera.plane_distance);
         if (!setup) continue;
-        const PixelRange range = pixels_around(triangle, camera);
+        const PixelRange range = pixels_around(seen, canonical);
         for (int y = range.y_begin; y < range.y_end; ++y) {
             for (int x = range.x_begin; x < range.x_end; ++x) {
                 const auto t = setup->t(canonical.ray_through_pixel(x, y).direction);

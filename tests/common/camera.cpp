@@ -22,13 +22,13 @@ double degrees(double radians) {
 
 TEST_CASE("the Cornell box's camera sees the published field of view, corner to corner") {
     const auto camera = published(640, 640);
-    CHECK(std::abs(degrees(field_of_view(camera, camera.width)) - 39.3077) <= 5e-5);
+    CHECK(std::abs(degrees(field_of_view(camera, camera.width)) - 39.307648) <= 5e-7);
     for (const auto& [x, y, side, upwards] :
          {std::tuple{0.0, 0.0, 1, 1}, {640.0, 0.0, -1, 1}, {0.0, 640.0, 1, -1}, {640.0, 640.0, -1, -1}}) {
         const auto d = camera.ray({x, y}).direction;
         // Looking along z with y up, the image's left is at large x: where the red wall is.
-        CHECK(std::abs(degrees(std::atan2(d.x, d.z)) - side * 39.3077 / 2) <= 5e-5);
-        CHECK(std::abs(degrees(std::atan2(d.y, d.z)) - upwards * 39.3077 / 2) <= 5e-5);
+        CHECK(std::abs(degrees(std::atan2(d.x, d.z)) - side * 39.307648 / 2) <= 5e-7);
+        CHECK(std::abs(degrees(std::atan2(d.y, d.z)) - upwards * 39.307648 / 2) <= 5e-7);
     }
 }
 

@@ -90,7 +90,7 @@ TEST_CASE("at equal t the lower face is drawn") {
     const auto  camera =
         convert<float>(pinhole_camera<double>({0, 0, 0}, {0, 0, 1}, {0, 1, 0}, 1.0, 1.0, 32, 32));
     int drawn = 0;
-    for (const auto& pixel : rasterise(mesh, camera).pixels()) {
+    for (const auto& pixel : image.pixels()) {
         if (!pixel.hit()) continue;
         ++drawn;
         CHECK(pixel.face == 0);
