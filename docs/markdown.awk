@@ -4,7 +4,7 @@
 /^ *(```|~~~)/ { in_code = !in_code; print; next }
 in_code        { print; next }
 {
-    line = links_of_the_site(plain_captions($0))
+    line = links_of_the_site(pictures_without_links(plain_captions($0)))
     gsub(/\]\((\.\.\/)*docs\/pictures\//, "](", line)
     count = split(line, part, "`")
     for (i = 1; i <= count; i++) {
@@ -24,6 +24,15 @@ function plain_captions(text,    result, caption) {
         text = substr(text, RSTART + RLENGTH)
     }
     return result text
+}
+
+# [![a](b)](c) becomes ![a](b): Doxygen knows no picture in a link.
+function pictures_without_links(text,    link) {
+    while (match(text, /\[!\[[^][]*\]\([^)]*\)\]\([^)]*\)/)) {
+        link = substr(text, RSTART + 1, RLENGTH - 1)
+        text = substr(text, 1, RSTART - 1) substr(link, 1, index(link, ")")) substr(text, RSTART + RLENGTH)
+    }
+    return text
 }
 
 # A link to a page of the site or of the web, or to a header's documentation; of any other only its words remain.

@@ -1,0 +1,107 @@
+/// @file rays.cpp
+/// Chapter 1 from outside: its figures, its claims, and what it says to bad input.
+
+#include <doctest/doctest.h>
+
+#include <map>
+
+#include "course/csv.hpp"
+#include "run_course.hpp"
+
+using namespace sr;
+using namespace sr::test;
+
+namespace {
+
+Ended run_rays(const fs::path& folder, const std::string& arguments) {
+    return run_shell(folder, "'" + (build_folder / "bin" / "01_rays").string() + "' " + arguments);
+}
+
+std::map<std::string, std::string> renders_in(const fs::path& folder) {
+    std::map<std::string, std::string> bytes;
+    for (const auto& entry : fs::directory_iterator(folder)) {
+        const auto type = entry.path().extension();
+        if (type == ".hdr" || type == ".png")
+            bytes[entry.path().filename().string()] = read_text(entry.path());
+    }
+    return bytes;
+}
+
+}  // namespace
+
+TEST_CASE(
+    "chapter 1: every claim holds, every figure has its data, for any number of threads the same renders") {
+    const Scratch scratch;
+    const Ended   one = run_rays(scratch.path, "--quality draft --size 64 --threads 1 --out one");
+    const Ended   all = run_rays(scratch.path, "--quality draft --size 64 --threads 7 --out seven");
+    CHECK(one.code == 0);
+    CHECK(all.code == 0);
+    const fs::path folder = scratch.path / "one" / "01_rays";
+
+    const course::Rows claims = course::read_csv(folder / "claims.csv");
+    CHECK(claims.header ==
+          std::vector<std::string>{"claim", "expected", "measured", "error", "tolerance", "pass"});
+    CHECK(claims.rows.size() >= 20);
+    for (const auto& claim : claims.rows) CHECK(claim[5].text() == "yes");
+
+    for (const std::string name : {"triangles", "pixels"}) {
+        const course::Rows chart = course::read_csv(folder / (name + ".csv"));
+        CHECK(chart.header == std::vector<std::string>{"method", "effort", "seconds", "error", "error_se",
+                                                       "triangles", "pixels", "seconds_min", "seconds_max"});
+        for (const auto& row : chart.rows) {
+            CHECK(row[2].number() > 0);
+            CHECK(row[3].number() <= 0.02);  // the coarsest teapot's handle has two faces in one place
+        }
+    }
+    for (const std::string name : {"camera", "two_loops", "far_from_the_origin", "triangles", "pixels"}) {
+        CHECK(fs::exists(folder / (name + ".csv")));
+    }
+    CHECK(fs::exists(scratch.path / "one" / "index.html"));
+
+    const auto renders = renders_in(folder);
+    CHECK(renders.size() == 12);
+    CHECK(renders == renders_in(scratch.path / "seven" / "01_rays"));
+}
+
+TEST_CASE(
+    "chapter 1: a scene that can't be read is one line on stderr, exit code 2, and no figure is touched") {
+    const Scratch scratch;
+    fs::create_directories(scratch.path / "figures" / "01_rays");
+    const fs::path old = scratch.path / "figures" / "01_rays" / "scene_depth.png";
+    std::ofstream(old) << "an older figure";
+    const std::string                        vertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+    const std::map<std::string, std::string> scenes{
+        {"no_faces.obj", vertices},
+        {"index.obj", vertices + "f 1 2 4\n"},
+        {"relative.obj", vertices + "f -1 -2 -4\n"},
+        {"nan.obj", "v 0 0 nan\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"},
+        {"huge.obj", "v 0 0 1e39\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"},
+        {"no_mtl.obj", "mtllib missing.mtl\n" + vertices + "f 1 2 3\n"},
+        {"empty.obj", ""},
+        {"random.obj", std::string("\x7f\x45\x00\xff\x80\x01 v f \x02\n\xfe", 17)},
+    };
+    for (const auto& [name, text] : scenes) std::ofstream(scratch.path / name, std::ios::binary) << text;
+    std::vector<std::string> names{"absent.obj", "figures"};
+    for (const auto& [name, text] : scenes) names.push_back(name);
+    for (const auto& name : names) {
+        INFO(name);
+        const Ended ended = run_rays(scratch.path, "--quality draft --scene " + name);
+        CHECK(ended.code == 2);
+        CHECK(ended.error_lines() == 1);
+        CHECK(ended.err.find(name) != std::string::npos);
+        CHECK(read_text(old) == "an older figure");
+    }
+}
+
+TEST_CASE("chapter 1: sizes, options and folders that can't be are one line on stderr and exit code 2") {
+    const Scratch scratch;
+    std::ofstream(scratch.path / "file") << "in the way";
+    for (const std::string arguments :
+         {"--size 0", "--size 100000", "--size -5", "--size many", "--sise 64", "--out file",
+          "--out /proc/figures", "--quality best", "--threads 0", "--samples 0", "--format gif"}) {
+        INFO(arguments);
+        const Ended ended = run_rays(scratch.path, arguments);
+        CHECK(ended.code == 2);
+        CHECK(ended.error_lines() == 1);
+    }
+}
