@@ -157,7 +157,8 @@ TEST_CASE("rng: the mean of an image comes closer with its pixels, which the sam
     CHECK(z_test(same.mean(), sigma, 0.5).p < 1e-6);
 }
 
-TEST_CASE("hemisphere: directions are of unit length and above the plane, also at the ends of [0, 1)") {
+TEST_CASE(
+    "hemisphere: directions are of unit length and above the plane, also for the largest number below 1") {
     const float largest = 1 - 0x1p-24f;
     for (const float u : {0.0f, 0.5f, largest}) {
         for (const float v : {0.0f, 0.25f, 0.7f, largest}) {

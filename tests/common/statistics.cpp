@@ -62,7 +62,7 @@ TEST_CASE("running: parts merge to the whole, also empty ones") {
     CHECK(relative_error(parts.variance(), whole.variance()) <= 1e-12);
 }
 
-TEST_CASE("running: the variance of values far from 0, where E[x^2] - E[x]^2 has none of its digits left") {
+TEST_CASE("running: the variance of values far from 0, where the textbook formula has no digits left") {
     const int n = 1'000'000;
     Rng       rng{40, 0, 0, 0};
     Running   welford;
