@@ -59,7 +59,9 @@ Cell cell_of(const Field& field) {
     std::int64_t whole{};
     double       number{};
     if (field.quoted || field.text.empty()) return field.text;
-    if (const auto r = std::from_chars(field.text.data(), end, whole); r.ec == std::errc{} && r.ptr == end)
+    const bool negative_zero = field.text == "-0";  // only a real number has one
+    if (const auto r = std::from_chars(field.text.data(), end, whole);
+        r.ec == std::errc{} && r.ptr == end && !negative_zero)
         return whole;
     if (const auto r = std::from_chars(field.text.data(), end, number); r.ec == std::errc{} && r.ptr == end)
         return number;
@@ -121,8 +123,7 @@ Rows read_csv(const std::filesystem::path& path) {
         const auto header = read_row(file);
         if (!header) throw std::runtime_error("the file is empty; a header must come first");
         for (const Field& field : *header) table.header.push_back(field.text);
-        while (const auto fields = read_row(file)) {
-            ++line;
+        for (line = 2; const auto fields = read_row(file); ++line) {
             std::vector<Cell> cells;
             for (const Field& field : *fields) cells.push_back(cell_of(field));
             table.add(std::move(cells));

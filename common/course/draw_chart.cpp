@@ -62,7 +62,8 @@ std::string log_ticks(char name, const Scale& scale, const Dialect& dialect) {
 
 std::string axis_of(char name, const Scale& scale, const Dialect& dialect) {
     const std::string script = fmt::format("set {}range [{:.10g}:{:.10g}]\n", name, scale.min, scale.max);
-    if (!scale.log) return script + fmt::format("set {}tics {:.10g}\n", name, scale.step);
+    if (!scale.log)
+        return script + fmt::format("set {0}tics {1:.10g}\nset format {0} '%g'\n", name, scale.step);
     return script + fmt::format("set logscale {}\n", name) + log_ticks(name, scale, dialect);
 }
 

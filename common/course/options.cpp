@@ -119,9 +119,10 @@ Parts take_apart(int argc, const char* const* argv, const std::vector<CommandOpt
     } catch (const CLI::CallForHelp&) {
         parts.help = true;
         return parts;
-    } catch (const CLI::ArgumentMismatch&) {
+    } catch (const CLI::ArgumentMismatch& error) {
+        const std::string message = error.what();  // "--size: ..."
         for (const CommandOption& option : known)
-            if (!option.value.empty() && app.count(option.name) != 0 && texts[option.name].empty())
+            if (message.starts_with(option.name + ":"))
                 throw std::invalid_argument(fmt::format("{}: {} must follow", option.name, option.value));
         throw;
     }

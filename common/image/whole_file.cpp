@@ -1,15 +1,19 @@
 #include "image/whole_file.hpp"
 
+#include <fcntl.h>
+
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cerrno>
 #include <csignal>
-#include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <system_error>
+#include <thread>
 #include <utility>
 
 #ifdef _WIN32
@@ -50,8 +54,7 @@ public:
         const sigset_t blocked = interrupts();
         pthread_sigmask(SIG_BLOCK, &blocked, &before_);
 #endif
-        while (slots_in_use.test_and_set()) {
-        }
+        while (slots_in_use.test_and_set()) std::this_thread::yield();
     }
     ~SlotsLock() {
         slots_in_use.clear();
@@ -76,11 +79,49 @@ extern "C" void remove_temporaries_and_end(int signal) {
     std::_Exit(128 + signal);
 }
 
+#ifdef O_BINARY
+constexpr int binary = O_BINARY;  // Windows would write \r\n
+#else
+constexpr int binary = 0;
+#endif
+
 [[noreturn]] void fail(const std::filesystem::path& path, int error) {
     throw std::runtime_error("cannot write " + path.string() + ": " + std::strerror(error));
 }
 
-/// A new file beside its target. It is removed, by the destructor or by an interrupt, unless it was renamed.
+/// An open file, without a library's buffer: what the disk refuses is told here and not later.
+class OpenFile {
+public:
+    OpenFile(const char* path, int how) : descriptor_{::open(path, how, 0666)} {}
+    ~OpenFile() {
+        if (is_open()) ::close(descriptor_);
+    }
+    OpenFile(const OpenFile&)            = delete;
+    OpenFile& operator=(const OpenFile&) = delete;
+
+    [[nodiscard]] bool is_open() const { return descriptor_ >= 0; }
+
+    /// @return 0, or errno
+    [[nodiscard]] int write(std::string_view bytes) {
+        while (!bytes.empty()) {
+            const auto written =
+                ::write(descriptor_, bytes.data(), std::min<std::size_t>(bytes.size(), 1 << 20));
+            if (written < 0 && errno != EINTR) return errno;
+            if (written > 0) bytes.remove_prefix(static_cast<std::size_t>(written));
+        }
+        return 0;
+    }
+
+    /// A full disk behind a network shows only now. @return 0, or errno
+    [[nodiscard]] int close() { return ::close(std::exchange(descriptor_, -1)) == 0 ? 0 : errno; }
+
+private:
+    int descriptor_;
+};
+
+/// A name beside the target. What lies under it is removed, by the destructor or by an interrupt, unless it was
+/// renamed. The lock is held around bare system calls only: a thread that the handler interrupts may hold a lock
+/// of the allocator, and whoever waited for that here would never give the slots free.
 class Temporary {
 public:
     explicit Temporary(const std::filesystem::path& target) : target_{target} {
@@ -88,62 +129,60 @@ public:
         path_                              = target;
         path_.replace_filename("." + target.filename().string() + "." + std::to_string(::getpid()) + "." +
                                std::to_string(++count));
+        name_ = path_.string();
         const SlotsLock lock;
-        slot_ = free_slot();
-        file_ = std::fopen(path_.string().c_str(), "wbx");
-        if (file_ == nullptr) fail(target_, errno);
-        slot_->used = true;
+        for (Slot& slot : slots)
+            if (!slot.used && name_.size() < slot.path.size()) slot_ = &slot;
+        if (slot_ == nullptr) return;
+        slot_->path[name_.copy(slot_->path.data(), name_.size())] = '\0';
+        slot_->used                                               = true;
     }
     ~Temporary() {
-        if (file_ != nullptr) std::fclose(file_);
+        if (slot_ == nullptr) return;
         const SlotsLock lock;
-        if (slot_->used) std::remove(slot_->path.data());
+        ::unlink(name_.c_str());  // not there any more after a renaming
         slot_->used = false;
     }
     Temporary(const Temporary&)            = delete;
     Temporary& operator=(const Temporary&) = delete;
 
     void write(std::string_view bytes) {
-        if (std::fwrite(bytes.data(), 1, bytes.size(), file_) != bytes.size() || std::fflush(file_) != 0)
-            fail(target_, errno);
+        if (slot_ == nullptr) fail(target_, ENAMETOOLONG);
+        std::optional<OpenFile> file;
+        int                     error = 0;
+        {
+            const SlotsLock lock;  // nothing is made once the handler has looked
+            file.emplace(name_.c_str(), O_WRONLY | O_CREAT | O_EXCL | binary);
+            error = file->is_open() ? 0 : errno;
+        }
+        if (error == 0) error = file->write(bytes);
+        if (error == 0) error = file->close();
+        if (error != 0) fail(target_, error);
     }
 
     void rename_to_target() {
-        // a full disk behind a network shows only now
-        if (std::fclose(std::exchange(file_, nullptr)) != 0) fail(target_, errno);
-        const SlotsLock lock;
         std::error_code error;
-        std::filesystem::rename(path_, target_, error);
-        if (error) throw std::runtime_error("cannot write " + target_.string() + ": " + error.message());
-        slot_->used = false;
+        {
+            const SlotsLock lock;
+            std::filesystem::rename(path_, target_, error);
+        }
+        if (error) fail(target_, error.value());
     }
 
 private:
-    Slot* free_slot() {
-        const std::string name = path_.string();
-        for (Slot& slot : slots) {
-            if (slot.used || name.size() >= slot.path.size()) continue;
-            slot.path[name.copy(slot.path.data(), name.size())] = '\0';
-            return &slot;
-        }
-        throw std::runtime_error("cannot write " + target_.string() +
-                                 ": its name is too long, or too many files are being written at once");
-    }
-
     std::filesystem::path target_;
     std::filesystem::path path_;
+    std::string           name_;  // the same, for the system calls
     Slot*                 slot_ = nullptr;
-    std::FILE*            file_ = nullptr;
 };
 
 /// A device or pipe can't be replaced by a file.
 void write_in_place(const std::filesystem::path& path, std::string_view bytes) {
-    std::FILE* file = std::fopen(path.string().c_str(), "wb");
-    if (file == nullptr) fail(path, errno);
-    const bool written = std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size();
-    const int  error   = errno;
-    if (std::fclose(file) != 0) fail(path, errno);
-    if (!written) fail(path, error);
+    OpenFile  file{path.string().c_str(), O_WRONLY | binary};
+    const int opened  = file.is_open() ? 0 : errno;
+    const int written = opened != 0 ? opened : file.write(bytes);
+    const int closed  = written != 0 ? written : file.close();
+    if (closed != 0) fail(path, closed);
 }
 
 }  // namespace

@@ -1,0 +1,162 @@
+#include "course/chapter.hpp"
+
+#include <doctest/doctest.h>
+
+#include <chrono>
+#include <cmath>
+#include <csignal>
+#include <cstdlib>
+#include <stdexcept>
+#include <thread>
+
+#include "child.hpp"
+#include "scratch_folder.hpp"
+
+using namespace sr;
+using namespace sr::course;
+using sr::test::Ended;
+using sr::test::in_child;
+using sr::test::read_text;
+using sr::test::ScratchFolder;
+
+namespace {
+
+/// A chapter's program in a process of its own, writing into `out`.
+Ended run_program(const std::filesystem::path& out, const Lecture& lecture,
+                  std::vector<const char*> more = {}, const std::function<void(pid_t)>& meanwhile = {}) {
+    const std::string        folder = out.string();
+    std::vector<const char*> words{"99_demo", "--out", folder.c_str()};
+    words.insert(words.end(), more.begin(), more.end());
+    return in_child(
+        [&] { return run(static_cast<int>(words.size()), words.data(), "99_demo", "Demo", lecture); },
+        meanwhile);
+}
+
+void small_chapter(Chapter& chapter) {
+    chapter.section("99.1 A section");
+    Chart chart = chapter.chart("line", "A line & more", {.x = "x [m]", .y = "y [m]"});
+    for (int i = 0; i < 4; ++i) chart.add("curve", i, i);
+    chart.caption("slope $1$");
+    Diagram diagram = chapter.diagram("arrow", "An arrow");
+    diagram.arrow({0, 0}, {1, 1});
+    chapter.render("grey", "All $L = 0.5$", Image<Spectrum>(32, 16, {0.5F, 0.5F, 0.5F}));
+    chapter.say("took 3 s");
+    chapter.claim("99.1 one, or nearly", {.expected = 1, .measured = 1.25, .tolerance = 0.25});
+}
+
+bool contains(const std::string& text, std::string_view part) {
+    return text.find(part) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_CASE("a chapter leaves its figures, their captions, its claims and the page of all figures") {
+    const ScratchFolder out{"chapter"};
+    const Ended         ended  = run_program(out.path, small_chapter);
+    const auto          folder = out.path / "99_demo";
+    CHECK(ended.code == 0);
+    CHECK(ended.err == "");
+    CHECK(contains(ended.out, "99.1 A section"));
+    CHECK(contains(ended.out, "1 claims, all hold"));
+    CHECK(read_text(folder / "line.csv") ==
+          "series,x [m],y [m]\ncurve,0,0\ncurve,1,1\ncurve,2,2\ncurve,3,3\n");
+    CHECK(read_text(folder / "claims.csv") ==
+          "claim,expected,measured,error,tolerance,pass\n\"99.1 one, or nearly\",1,1.25,0.25,0.25,yes\n");
+    CHECK(std::filesystem::file_size(folder / "grey.png") > 0);
+    CHECK(std::filesystem::file_size(folder / "grey.hdr") > 0);
+    CHECK(read_csv(folder / "captions.csv").rows.size() == 3);
+    const std::string page = read_text(out.path / "index.html");
+    for (const char* part : {"99_demo/grey.png", "99_demo/grey.hdr", "A line &amp; more", "99_demo/line.csv",
+                             "<i>L</i>", "99.1 one, or nearly", "class=\"yes\""})
+        CHECK(contains(page, part));
+    for (const auto& entry : std::filesystem::directory_iterator(folder))
+        CHECK(entry.path().filename().string().front() != '.');
+}
+
+TEST_CASE("without gnuplot the data are written and one sentence says so") {
+    const ScratchFolder out{"chapter_no_gnuplot"};
+    ::setenv("STERADIAN_GNUPLOT", "", 1);
+    const Ended ended = run_program(out.path, small_chapter);
+    ::unsetenv("STERADIAN_GNUPLOT");
+    CHECK(ended.code == 0);
+    CHECK(contains(ended.out, "gnuplot was not found"));
+    CHECK(std::filesystem::exists(out.path / "99_demo" / "line.csv"));
+    CHECK(!std::filesystem::exists(out.path / "99_demo" / "line.svg"));
+}
+
+TEST_CASE("a claim that fails, NaN too, makes the program exit with 1") {
+    for (const double measured : {2.0, std::nan("")}) {
+        const ScratchFolder out{"chapter_claim"};
+        const Ended         ended = run_program(out.path, [&](Chapter& chapter) {
+            chapter.claim("good", {.expected = 1, .measured = 1, .tolerance = 0});
+            chapter.claim_at_most("bad", measured, 1);
+        });
+        CHECK(ended.code == 1);
+        CHECK(contains(ended.out, "1 of 2 claims failed"));
+        CHECK(contains(read_text(out.path / "99_demo" / "claims.csv"), ",no\n"));
+    }
+}
+
+TEST_CASE("an error is one line and exit code 2") {
+    const ScratchFolder out{"chapter_error"};
+    const auto          line = [&](const Lecture& lecture) {
+        const Ended ended = run_program(out.path, lecture);
+        CHECK(ended.code == 2);
+        return ended.err;
+    };
+    CHECK(line([](Chapter&) { throw std::runtime_error("x.obj, line 3:\nno such vertex"); }) ==
+          "99_demo: error: x.obj, line 3: no such vertex\n");
+    CHECK(line([](Chapter& c) {
+              (void)c.diagram("a", "");
+              (void)c.diagram("a", "");
+          }) == "99_demo: error: figure a: this name is taken\n");
+    CHECK(line([](Chapter& c) { (void)c.diagram("../a", ""); }) ==
+          "99_demo: error: figure ../a: its name must be of a-z, 0-9 and _\n");
+}
+
+TEST_CASE("a folder that can't be written is told before any work is done") {
+    const ScratchFolder out{"chapter_unwritable"};
+    std::ofstream{out.path / "file"} << "x";
+    const Ended ended = run_program(out.path / "file", [](Chapter&) { std::abort(); });
+    CHECK(ended.code == 2);
+    CHECK(contains(ended.err, "99_demo: error: --out "));
+    CHECK(ended.err.ends_with(": Not a directory\n"));
+    const Ended proc = run_program("/proc/figures", [](Chapter&) { std::abort(); });
+    CHECK(proc.code == 2);
+    CHECK(contains(proc.err, "99_demo: error: --out /proc/figures: "));
+}
+
+TEST_CASE("Ctrl-C in a long operation ends the program with 130 at once, and all figures stay whole") {
+    const ScratchFolder out{"chapter_interrupt"};
+    CHECK(run_program(out.path, small_chapter).code == 0);
+    const std::string before = read_text(out.path / "99_demo" / "line.csv");
+    const auto        start  = std::chrono::steady_clock::now();
+    const Ended       ended  = run_program(
+               out.path,
+               [&](Chapter& chapter) {
+            Chart chart = chapter.chart("line", "", {.x = "x", .y = "y"});
+            chart.add("other", 1, 1);
+            std::ofstream{out.path / "started"} << "x";
+            Progress progress{"forever", 1'000'000};
+            for (;;) progress.tick(0);
+        },
+               {},
+               [&](pid_t child) {
+            while (!std::filesystem::exists(out.path / "started") && test::runs(child))
+                std::this_thread::yield();
+            ::kill(child, SIGINT);
+        });
+    CHECK(ended.code == 130);
+    CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(20));
+    CHECK(read_text(out.path / "99_demo" / "line.csv") == before);
+}
+
+TEST_CASE("measured work is timed as often as asked, all in turn") {
+    std::string order;
+    const auto  timings = measure({{"a", [&] { order += 'a'; }}, {"b", [&] { order += 'b'; }}}, 3);
+    CHECK(order == "ababab");
+    REQUIRE(timings.size() == 2);
+    CHECK(timings[1].name == "b");
+    CHECK(timings[0].min <= timings[0].median);
+    CHECK(timings[0].median <= timings[0].max);
+}

@@ -1,0 +1,173 @@
+#include "course/chart.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <stdexcept>
+
+#include "course/chart_frame.hpp"
+#include "course/draw.hpp"
+#include "course/gnuplot.hpp"
+#include "course/label_layout.hpp"
+#include "scratch_folder.hpp"
+
+using namespace sr;
+using namespace sr::course;
+
+namespace {
+
+bool overlap(const Box& a, const Box& b) {
+    return a.min.x < b.max.x && b.min.x < a.max.x && a.min.y < b.max.y && b.min.y < a.max.y;
+}
+
+Box box_of(const PlacedLabel& label) {
+    double width = 0;
+    for (const std::string& line : label.lines) width = std::max(width, text_width(line, FontSize::normal));
+    const double line = line_height(FontSize::normal);
+    const double rest = static_cast<double>(label.lines.size()) - 1;
+    return {{label.at.x, label.at.y - (rest + 0.5) * line}, {label.at.x + width, label.at.y + 0.5 * line}};
+}
+
+/// Curves that end at nearly one point, and one that ends early.
+Chart crowded() {
+    Chart chart{"crowded",
+                "Title of $x^2$",
+                {.x = "time [s]", .y = "error [1]", .log = axis::xy, .columns = speed_accuracy({"note"})}};
+    for (int i = 0; i < 6; ++i)
+        for (int curve = 0; curve < 5; ++curve) {
+            const double n = std::pow(10, i);
+            if (curve < 4 || i < 3)
+                chart.row({"method_" + std::to_string(curve), n, 1e-6 * n, (1 + 0.01 * curve) / std::sqrt(n),
+                           2 / std::sqrt(n), "a,b"});
+        }
+    chart.caption("Slope $-1/2$ & more");
+    chart.mark_x(1e-3, "crossover");
+    return chart;
+}
+
+Frame laid_out(const Chart& chart) {
+    return lay_out(chart.data(), curves_of(chart.data(), grouped_by_series(chart.data())));
+}
+
+}  // namespace
+
+TEST_CASE("a chart keeps what it is given, under the headers it was given") {
+    Chart chart{"c", "t", {.x = "distance [radii]", .y = "wrong [%]"}};
+    chart.add("textbook", 10, 2.5);
+    chart.add("cured", 10, 0.5);
+    chart.add("textbook", 100, 3.5);
+    CHECK(chart.at("textbook", 100) == 3.5);
+    CHECK_THROWS_WITH_AS((void)chart.at("cured", 7), "chart c: nothing of cured at distance [radii] = 7",
+                         std::out_of_range);
+    // each curve in one piece, so that gnuplot finds it by its rows
+    CHECK(to_csv(grouped_by_series(chart.data())) ==
+          "series,distance [radii],wrong [%]\ntextbook,10,2.5\ntextbook,100,3.5\ncured,10,0.5\n");
+}
+
+TEST_CASE("a speed/accuracy chart has the columns of all of them") {
+    Chart chart{"c", "t", {.x = "time [s]", .y = "error", .columns = speed_accuracy({"pixels"})}};
+    chart.add("uniform", 0.5, 0.25, {64, 0.125, 512});
+    CHECK(to_csv(chart.data().table) ==
+          "method,effort,seconds,error,error_se,pixels\nuniform,64,0.5,0.25,0.125,512\n");
+    CHECK_THROWS_AS(chart.add("uniform", 0.5, 0.25), std::invalid_argument);
+    CHECK_THROWS_AS(
+        (Chart{"c", "t", {.columns = {.headers = {"a", "b"}, .series = "a", .x = "b", .y = "c"}}}),
+        std::invalid_argument);
+}
+
+TEST_CASE("labels cover neither each other nor a curve, and stay on the canvas") {
+    const Chart              chart  = crowded();
+    const std::vector<Curve> curves = curves_of(chart.data(), grouped_by_series(chart.data()));
+    const Frame              frame  = laid_out(chart);
+    Obstacles                drawn;
+    for (const Curve& curve : curves) {
+        auto& line = drawn.curves.emplace_back();
+        for (const Point& p : curve.points) line.emplace_back(frame.x(p.x), frame.y(p.y));
+    }
+    REQUIRE(frame.labels.size() == 6);
+    for (std::size_t i = 0; i < frame.labels.size(); ++i) {
+        const Box box = box_of(frame.labels[i]);
+        CHECK(drawn.covered_by(box) == 0);
+        CHECK(box.min.x >= 0);
+        CHECK(box.max.x <= Canvas::width);
+        for (std::size_t j = 0; j < i; ++j) CHECK(!overlap(box, box_of(frame.labels[j])));
+    }
+}
+
+TEST_CASE("spread labels are apart, in order, and no farther moved than they must be") {
+    const std::vector<double> far{10, 50, 90};
+    CHECK(spread(far, {20, 20, 20}, 0, 100) == far);
+    CHECK(spread({50, 50, 50}, {20, 20, 20}, 0, 100) == std::vector<double>{30, 50, 70});
+    CHECK(spread({1, 0}, {20, 20}, 0, 100) == std::vector<double>{30, 10});
+    CHECK(spread({95, 95}, {20, 30}, 0, 100) == std::vector<double>{60, 85});
+}
+
+TEST_CASE("a box is covered by what crosses it and not by what passes") {
+    const Obstacles line{.curves = {{{0, 0}, {10, 10}}}};
+    CHECK(line.covered_by({{4, 4}, {6, 6}}) == 1);
+    CHECK(line.covered_by({{4, 6}, {5, 9}}) == 0);
+    CHECK(line.covered_by({{11, 11}, {12, 12}}) == 0);
+}
+
+TEST_CASE("what no axis can show is told with chart and curve") {
+    Chart chart{"c", "t", {.x = "x", .y = "y", .log = axis::y}};
+    CHECK_THROWS_WITH((void)laid_out(chart), "chart c: it has no rows");
+    chart.add("good", 1, 1);
+    chart.add("bad", 1, 0);
+    chart.add("bad", 2, std::numeric_limits<double>::quiet_NaN());
+    CHECK_THROWS_WITH((void)laid_out(chart),
+                      doctest::Contains("chart c: no point of bad can be drawn").toString().c_str());
+}
+
+TEST_CASE("gnuplot draws every format from the CSV") {
+    if (!run_gnuplot("set terminal dumb\nplot x"))
+        return MESSAGE("gnuplot is not installed: nothing was tested");
+    const test::ScratchFolder folder{"it's a chart"};
+    const Chart               chart = crowded();
+    write_csv(folder.path / "c.csv", grouped_by_series(chart.data()));
+    const std::pair<const char*, const char*> starts[] = {
+        {"svg", "<?xml"}, {"png", "\x89PNG"}, {"pdf", "%PDF"}, {"tex", "\\begin{tikz"}};
+    for (const auto& [format, start] : starts) {
+        const auto picture = run_gnuplot(chart_script(chart.data(), folder.path / "c.csv", format));
+        REQUIRE(picture);
+        CHECK(picture->find(start) != std::string::npos);
+        if (std::string{format} == "svg")
+            for (const char* text : {"method_0", "method_4", "crossover", "error [1]", "&amp; more"})
+                CHECK(picture->find(text) != std::string::npos);
+    }
+    // without the file there is no picture: it is the CSV that is drawn
+    CHECK_THROWS_WITH_AS((void)run_gnuplot(chart_script(chart.data(), folder.path / "none.csv", "svg")),
+                         doctest::Contains("none.csv").toString().c_str(), std::runtime_error);
+}
+
+TEST_CASE("gnuplot's own words are passed on, and its absence is no error") {
+    ::setenv("STERADIAN_GNUPLOT", "", 1);
+    CHECK(run_gnuplot("plot x") == std::nullopt);
+    ::setenv("STERADIAN_GNUPLOT", "/no/such/gnuplot", 1);
+    CHECK(run_gnuplot("plot x") == std::nullopt);
+    ::unsetenv("STERADIAN_GNUPLOT");
+    if (run_gnuplot("set terminal dumb\nplot x"))
+        CHECK_THROWS_WITH_AS((void)run_gnuplot("plot foo\n"),
+                             doctest::Contains("undefined variable: foo").toString().c_str(),
+                             std::runtime_error);
+}
+
+TEST_CASE("a diagram's rows are its shapes, and gnuplot draws them") {
+    Diagram diagram{"d", "t"};
+    diagram.line({0, 0}, {1, 0});
+    diagram.arrow({0, 0}, {2, 1}, {.ink = Ink::blue});
+    diagram.polygon({{0, 0}, {1, 0}, {0, 1}}, {}, 0.25);
+    diagram.label({1, 1}, "$t_{\\min}$, 50% & more");
+    diagram.point({3, 3});
+    CHECK(to_csv(to_rows(diagram.data())) ==
+          "shape,kind,x,y,dx,dy,text\n1,line,0,0,0,0,\n1,line,1,0,0,0,\n2,arrow,0,0,2,1,\n3,area,0,0,0,0,\n"
+          "3,area,1,0,0,0,\n3,area,0,1,0,0,\n3,area,0,0,0,0,\n4,label,1,1,0,0,\"$t_{\\min}$, 50% & more\"\n"
+          "5,point,3,3,0,0,\n");
+    const test::ScratchFolder folder{"diagram"};
+    write_csv(folder.path / "d.csv", to_rows(diagram.data()));
+    for (const char* format : {"svg", "png", "pdf", "tex"})
+        CHECK_NOTHROW((void)run_gnuplot(diagram_script(diagram.data(), folder.path / "d.csv", format)));
+    CHECK_THROWS_AS((void)diagram_script(Diagram{"e", "t"}.data(), "e.csv", "svg"), std::invalid_argument);
+}

@@ -1,0 +1,183 @@
+#include "course/options.hpp"
+
+#include <doctest/doctest.h>
+
+#include "child.hpp"
+
+using namespace sr;
+using namespace sr::course;
+using sr::test::Ended;
+using sr::test::in_child;
+
+namespace {
+
+const Defaults sizes{.size = {100, 200, 300}, .samples = {1, 2, 3}};
+
+Parsed parse(std::vector<const char*> words, const Defaults& defaults = sizes) {
+    words.insert(words.begin(), "01_rays");
+    return parse_options(static_cast<int>(words.size()), words.data(), "01_rays", "Rays", defaults);
+}
+
+/// What the program says, and its exit code, when it is given these words.
+Ended told(const std::vector<const char*>& words, const Defaults& defaults = sizes) {
+    return in_child([&] {
+        const Parsed parsed = parse(words, defaults);
+        return parsed.options ? 99 : parsed.exit_code;
+    });
+}
+
+}  // namespace
+
+TEST_CASE("options that nobody gives come from the quality") {
+    const Options lecture = parse({}).options.value();
+    CHECK(lecture.size == 200);
+    CHECK(lecture.samples == 2);
+    CHECK(lecture.threads >= 1);
+    CHECK(lecture.out == "figures");
+    CHECK(lecture.formats == std::vector<std::string>{"svg"});
+    const Options draft = parse({"--quality", "draft", "--samples=7"}).options.value();
+    CHECK(draft.size == 100);
+    CHECK(draft.samples == 7);
+}
+
+TEST_CASE("options are read as given; the last of two holds") {
+    const Options o = parse({"--size", "64", "--size", "32", "--format", "png,svg,png", "--seed",
+                             "18446744073709551615", "--out", "a b", "--threads", "3"})
+                          .options.value();
+    CHECK(o.size == 32);
+    CHECK(o.formats == std::vector<std::string>{"png", "svg"});
+    CHECK(o.seed == ~std::uint64_t{0});
+    CHECK(o.out == "a b");
+    CHECK(o.threads == 3);
+}
+
+TEST_CASE("what is wrong is told in one line with exit code 2") {
+    const struct {
+        std::vector<const char*> words;
+        const char*              line;
+    } cases[] = {
+        {{"--size", "0"}, "--size 0: the image's edge must be 16 to 8192 pixels"},
+        {{"--size", "100000"}, "--size 100000: the image's edge must be 16 to 8192 pixels"},
+        {{"--size", "-5"}, "--size -5: the image's edge must be 16 to 8192 pixels"},
+        {{"--size", "1e3"}, "--size 1e3: the image's edge must be 16 to 8192 pixels"},
+        {{"--size", "99999999999999999999"},
+         "--size 99999999999999999999: the image's edge must be 16 to 8192 pixels"},
+        {{"--size", "nan"}, "--size nan: the image's edge must be 16 to 8192 pixels"},
+        {{"--size", ""}, "--size : the image's edge must be 16 to 8192 pixels"},
+        {{"--size"}, "--size: N must follow"},
+        {{"--samples", "0"}, "--samples 0: the number of samples must be 1 to 1000000"},
+        {{"--threads", "0"}, "--threads 0: the number of threads must be 1 to 1024"},
+        {{"--seed", "-1"}, "--seed -1: the seed must be a whole number from 0 to 18446744073709551615"},
+        {{"--quality", "best"}, "--quality best: the quality must be draft, lecture or print"},
+        {{"--format", "gif"}, "--format gif: the formats must be of svg, png, pdf, tex, separated by commas"},
+        {{"--format", ""}, "--format : the formats must be of svg, png, pdf, tex, separated by commas"},
+        {{"--siez", "4"}, "--siez: unknown option; did you mean --size?; see --help"},
+        {{"--bananas"}, "--bananas: unknown option; see --help"},
+        {{"-q"}, "-q: unknown option; see --help"},
+        {{"fast"}, "fast: unknown word; see --help"},
+        {{"--scene", "x.obj"}, "--scene: unknown option; see --help"},
+    };
+    for (const auto& c : cases) {
+        const Ended ended = told(c.words);
+        CHECK(ended.err == "01_rays: error: " + std::string{c.line} + "\n");
+        CHECK(ended.out == "");
+        CHECK(ended.code == 2);
+    }
+}
+
+TEST_CASE("a scene is an option where a chapter renders one") {
+    CHECK(parse({"--scene", "x.obj"}, {.renders_scene = true}).options.value().scene == "x.obj");
+}
+
+TEST_CASE("help names every option with its default") {
+    const Ended ended = told({"--help"});
+    CHECK(ended.code == 0);
+    CHECK(ended.err == "");
+    for (const char* word : {"--out", "--quality", "--size", "--samples", "--threads", "--seed", "--format",
+                             "[figures]", "[100 draft, 200 lecture, 300 print]", "[all cores"})
+        CHECK(ended.out.find(word) != std::string::npos);
+}
+
+namespace {
+
+/// What the commands of a small program got.
+struct Got {
+    int       code = -1;
+    Arguments arguments;
+};
+
+Got give(std::vector<const char*> words) {
+    Got        got;
+    const auto keep = [&](const Arguments& arguments) {
+        got.arguments = arguments;
+        return 5;
+    };
+    words.insert(words.begin(), "course");
+    got.code = dispatch(static_cast<int>(words.size()), words.data(), "course", "About it.",
+                        {{.name         = "figures",
+                          .help         = "h",
+                          .rest         = Rest::words,
+                          .rest_name    = "NN",
+                          .options      = {{"--publish", "", "p"}},
+                          .takes_shared = true,
+                          .run          = keep},
+                         {.name = "run", .help = "h", .rest = Rest::verbatim, .rest_name = "NN", .run = keep},
+                         {.name      = "bench",
+                          .help      = "h",
+                          .rest      = Rest::everything,
+                          .rest_name = "TOPIC",
+                          .options   = {{"--csv", "FILE", "c"}},
+                          .run       = keep},
+                         {.name = "docs", .help = "h", .run = keep}});
+    return got;
+}
+
+using Words = std::vector<std::string>;
+
+}  // namespace
+
+TEST_CASE("commands get their words, their options and the shared ones") {
+    const Got figures = give({"figures", "01", "--size", "64", "02", "--publish"});
+    CHECK(figures.code == 5);
+    CHECK(figures.arguments.rest == Words{"01", "02"});
+    CHECK(figures.arguments.shared == Words{"--size", "64"});
+    CHECK(figures.arguments.has("--publish"));
+    CHECK_FALSE(give({"figures"}).arguments.has("--publish"));
+
+    CHECK(give({"run", "01", "--help", "--foo", "-x", "3"}).arguments.rest ==
+          Words{"01", "--help", "--foo", "-x", "3"});
+
+    const Got bench = give({"bench", "rays", "--csv", "a.csv", "-R", "x", "--repeats=3"});
+    CHECK(bench.arguments.rest == Words{"rays", "-R", "x", "--repeats=3"});
+    CHECK(bench.arguments.value("--csv") == "a.csv");
+    CHECK(give({"bench"}).arguments.value("--csv") == std::nullopt);
+}
+
+TEST_CASE("a mistaken command is told in one line with exit code 2") {
+    const struct {
+        std::vector<const char*> words;
+        const char*              line;
+    } cases[] = {{{"figrues"}, "figrues: unknown command; did you mean figures?; see course --help"},
+                 {{"figures", "--size", "0"}, "--size 0: the image's edge must be 16 to 8192 pixels"},
+                 {{"figures", "--pubish"}, "--pubish: unknown option; did you mean --publish?; see --help"},
+                 {{"run", "--size", "3"}, "--size: unknown option; see --help"},
+                 {{"docs", "now"}, "now: unknown word; see --help"},
+                 {{"bench", "--csv"}, "--csv: FILE must follow"}};
+    for (const auto& c : cases) {
+        const Ended ended = in_child([&] { return give(c.words).code; });
+        CHECK(ended.err == "course: error: " + std::string{c.line} + "\n");
+        CHECK(ended.code == 2);
+    }
+}
+
+TEST_CASE("without a command, and with --help, the commands are listed") {
+    for (const auto& words : {std::vector<const char*>{}, {"--help"}}) {
+        const Ended ended = in_child([&] { return give(words).code; });
+        CHECK(ended.code == 0);
+        for (const char* name : {"figures", "run", "bench", "docs"})
+            CHECK(ended.out.find(name) != std::string::npos);
+    }
+    const Ended ended = in_child([] { return give({"bench", "--help"}).code; });
+    CHECK(ended.code == 0);
+    CHECK(ended.out.find("--csv FILE") != std::string::npos);
+}
