@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <memory>
+#include <sstream>
 #include <stdexcept>
 
 #ifdef _WIN32
@@ -30,11 +31,16 @@ std::string gnuplot_program() {
     return chosen != nullptr ? chosen : "gnuplot";
 }
 
-/// gnuplot says where it stumbled in several lines; the last one says what it was.
-std::string last_line(std::string_view text) {
-    const std::size_t end   = text.find_last_not_of(" \r\n");
-    const std::size_t start = text.find_last_of('\n', end);
-    return std::string{text.substr(start == text.npos ? 0 : start + 1, end == text.npos ? 0 : end - start)};
+/// gnuplot repeats the script and points at it; of all that, the lines which say what it was.
+std::string said(const std::string& errors) {
+    std::istringstream lines{errors};
+    std::string        said;
+    for (std::string line; std::getline(lines, line);) {
+        line.erase(0, line.find_first_not_of(' '));
+        if (!line.starts_with("line ") && !line.starts_with("warning: ")) continue;
+        said += (said.empty() ? "" : "; ") + line;
+    }
+    return said;
 }
 
 /// What a program left behind when it ended.
@@ -134,7 +140,7 @@ std::optional<std::string> run_gnuplot(std::string_view script) {
     if (!ended) return std::nullopt;
     if (ended->exit_code != 0 || ended->output.empty())
         throw std::runtime_error(
-            fmt::format("gnuplot: {} (exit code {})", last_line(ended->errors), ended->exit_code));
+            fmt::format("gnuplot: {} (exit code {})", said(ended->errors), ended->exit_code));
     return ended->output;
 }
 
