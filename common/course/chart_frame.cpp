@@ -57,12 +57,12 @@ Scale scale_of(Extent extent, bool log) {
         extent.min = 0;  // show how large, not only how different
     const double range =
         extent.max > extent.min ? extent.max - extent.min : std::max(1.0, std::abs(extent.max));
-    const double step  = round_step(range);
-    const auto   round = [&](double end, double tick) {
-        return std::abs(end - tick) < 0.3 * step ? tick : end;
-    };
-    return {.min  = round(extent.min, std::floor(extent.min / step) * step),
-            .max  = round(extent.max + 0.02 * range, std::round(extent.max / step) * step),
+    const double step = round_step(range);
+    // up to the next round number where that is near, and no farther than a point's width where it is not
+    const double low  = std::floor(extent.min / step + 1e-9) * step;
+    const double high = std::ceil(extent.max / step - 1e-9) * step;
+    return {.min  = extent.min - low < 0.3 * step ? low : extent.min - 0.02 * range,
+            .max  = high - extent.max < 0.3 * step ? high : extent.max + 0.02 * range,
             .step = step};
 }
 

@@ -17,7 +17,7 @@ bool Claim::pass() const {
 Claim at_most(std::string name, double measured, double bound) {
     // not std::max, which would turn NaN into 0
     const double shortfall = measured <= bound ? 0 : measured - bound;
-    return {fmt::format("{}: {:.4g} <= {:.4g}", name, measured, bound), {.measured = shortfall}};
+    return {fmt::format("{} (at most {:.4g})", name, bound), {.measured = shortfall}};
 }
 
 Rows to_rows(const std::vector<Claim>& claims) {

@@ -24,7 +24,7 @@ struct Claim {
     [[nodiscard]] bool   pass() const;   ///< error <= tolerance; NaN fails
 };
 
-/// measured <= bound, as a claim that the shortfall is 0.
+/// measured <= bound, as a claim that the shortfall is 0; its name ends with the bound: "... (at most 0.01)".
 [[nodiscard]] Claim at_most(std::string name, double measured, double bound);
 
 /// claim,expected,measured,error,tolerance,pass

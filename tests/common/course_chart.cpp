@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
@@ -98,6 +99,23 @@ TEST_CASE("labels cover neither each other nor a curve, and stay on the canvas")
         CHECK(box.min.x >= 0);
         CHECK(box.max.x <= Canvas::width);
         for (std::size_t j = 0; j < i; ++j) CHECK(!overlap(box, box_of(frame.labels[j])));
+    }
+}
+
+TEST_CASE("axes show all of the data and not much more") {
+    const std::pair<double, double> extents[] = {{0, 61.4},      {0, 60}, {-1, 1},   {0.37, 0.41},
+                                                 {1e5, 1e5 + 3}, {7, 7},  {-3, -2.9}};
+    for (const auto& [low, high] : extents) {
+        Chart chart{"c", "t", {.x = "x", .y = "y"}};
+        chart.add("a", low, high);
+        chart.add("a", high, low);
+        const Frame frame = laid_out(chart);
+        for (const Scale& scale : {frame.x, frame.y}) {
+            CHECK(scale.min <= low);
+            CHECK(scale.max >= high);
+            CHECK(scale.max > scale.min);
+            CHECK(scale.max - scale.min <= std::max({2 * (high - low), std::abs(high), 1.0}) * 1.6);
+        }
     }
 }
 

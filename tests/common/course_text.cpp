@@ -107,6 +107,7 @@ TEST_CASE("a claim holds within its tolerance, and NaN fails") {
     CHECK(at_most("", -5, 1).value.measured == 0);
     CHECK(at_most("", 3, 1).value.measured == 2);
     CHECK(!at_most("", 3, 1).pass());
+    CHECK(at_most("2.1 error", 3, 0.01).name == "2.1 error (at most 0.01)");
     CHECK(!at_most("", nan, 1).pass());
     CHECK(!at_most("", 1, nan).pass());
     CHECK(to_csv(to_rows(std::vector{Claim{"1.3 a, b", {2, 1.5, 0.25}}})) ==
