@@ -2,6 +2,7 @@
 /// @file box.hpp
 /// Axis-aligned boxes, and the interval of a ray inside one.
 
+#include <array>
 #include <cmath>
 #include <concepts>
 #include <glm/gtc/type_ptr.hpp>
@@ -52,12 +53,17 @@ template <std::floating_point T>
 template <std::floating_point T>
 class BoxRay {
 public:
-    explicit BoxRay(const Ray<T>& ray)
-        : origin_(ray.origin), inverse_(T{1} / ray.direction), padded_(inverse_ * padding) {
-        // The sign of 1 / d, because -0 < 0 is false although 1 / -0 is minus infinity.
-        for (int k = 0; k < 3; ++k) {
-            near_[k] = static_cast<std::size_t>(std::signbit(inverse_[k]) ? 3 + k : k);
-            far_[k]  = static_cast<std::size_t>(std::signbit(inverse_[k]) ? k : 3 + k);
+    explicit BoxRay(const Ray<T>& ray) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            const auto axis    = static_cast<glm::length_t>(k);
+            const T    inverse = T{1} / ray.direction[axis];
+            // The sign of 1 / d, because -0 < 0 is false although 1 / -0 is minus infinity.
+            const bool backwards = std::signbit(inverse);
+            slabs_[k]            = {.origin  = ray.origin[axis],
+                                    .inverse = inverse,
+                                    .padded  = inverse * padding,
+                                    .near    = backwards ? 3 + k : k,
+                                    .far     = backwards ? k : 3 + k};
         }
     }
 
@@ -69,25 +75,27 @@ public:
     /// @pre range.min >= 0
     /// @see Ize, Robust BVH Ray Traversal, JCGT 2(2), 2013; Williams et al., An Efficient and Robust Ray-Box
     ///      Intersection Algorithm, JGT 10(1), 2005
-    [[nodiscard]] Interval<T> clip(const Box<T>& box, Interval<T> range) const {
-        const T* corner = glm::value_ptr(box.min);  // min x, y, z, max x, y, z
-        for (int k = 0; k < 3; ++k) {
-            const T near = (corner[near_[k]] - origin_[k]) * inverse_[k];
-            const T far  = (corner[far_[k]] - origin_[k]) * padded_[k];
-            range.min    = near > range.min ? near : range.min;
-            range.max    = far < range.max ? far : range.max;
-        }
-        return range;
+    [[nodiscard, gnu::always_inline]] Interval<T> clip(const Box<T>& box, Interval<T> range) const {
+        const T* corners = glm::value_ptr(box.min);  // min x, y, z, max x, y, z
+        return clip(slabs_[2], corners, clip(slabs_[1], corners, clip(slabs_[0], corners, range)));
     }
 
 private:
     static constexpr T padding = 1 + 16 * std::numeric_limits<T>::epsilon();
 
-    Vector3<T>  origin_;
-    Vector3<T>  inverse_;
-    Vector3<T>  padded_;
-    std::size_t near_[3];
-    std::size_t far_[3];
+    /// What one axis needs: which of a box's corner coordinates the ray meets first, and how t follows from it.
+    struct Slab {
+        T           origin, inverse, padded;
+        std::size_t near, far;
+    };
+
+    [[gnu::always_inline]] static Interval<T> clip(const Slab& slab, const T* corners, Interval<T> range) {
+        const T near = (corners[slab.near] - slab.origin) * slab.inverse;
+        const T far  = (corners[slab.far] - slab.origin) * slab.padded;
+        return {near > range.min ? near : range.min, far < range.max ? far : range.max};
+    }
+
+    std::array<Slab, 3> slabs_;
 };
 
 }  // namespace sr

@@ -89,7 +89,8 @@ TEST_CASE("at equal t the lower face is drawn") {
     Mesh<float> mesh{{{-1, -1, 5}, {1, -1, 5}, {0, 1, 5}}, {{0, 1, 2}, {1, 2, 0}}};
     const auto  camera =
         convert<float>(pinhole_camera<double>({0, 0, 0}, {0, 0, 1}, {0, 1, 0}, 1.0, 1.0, 32, 32));
-    int drawn = 0;
+    const auto image = rasterise(mesh, camera);
+    int        drawn = 0;
     for (const auto& pixel : image.pixels()) {
         if (!pixel.hit()) continue;
         ++drawn;
