@@ -37,7 +37,7 @@ void prepare(const fs::path& out, const fs::path& folder) {
 /// A figure's name is that of its files.
 void check_name(std::string_view name, const std::vector<std::string>& taken) {
     const bool plain =
-        !name.empty() && name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_") == name.npos;
+        !name.empty() && name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_") == std::string::npos;
     if (!plain)
         throw std::invalid_argument(fmt::format("figure {}: its name must be of a-z, 0-9 and _", name));
     if (std::find(taken.begin(), taken.end(), name) != taken.end())

@@ -80,7 +80,7 @@ std::string plot_of(const Shape& shape, const std::string& data) {
             return fmt::format("{} using 3:4:5:6 with vectors head filled size screen 0.018,18 {}", data,
                                stroke(shape.pen));
         case Kind::area: {
-            const std::string border = fmt::format("{} using 3:4 with lines {}", data, stroke(shape.pen));
+            std::string border = fmt::format("{} using 3:4 with lines {}", data, stroke(shape.pen));
             if (shape.opacity <= 0) return border;
             return fmt::format(
                 "{} using 3:4 with filledcurves closed fillcolor rgb '{}' fillstyle transparent solid "

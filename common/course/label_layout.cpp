@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace sr::course {
 
@@ -48,7 +49,9 @@ std::vector<double> spread(const std::vector<double>& wanted, const std::vector<
                            double high) {
     std::vector<std::size_t> order(wanted.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
-    std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return wanted[a] < wanted[b]; });
+    std::sort(order.begin(), order.end(), [&](auto a, auto b) {
+        return std::pair{wanted[a], a} < std::pair{wanted[b], b};
+    });
 
     // measured from where each would stand in a pile without gaps, "clear of the one below" is "not less than it"
     std::vector<double> pile;

@@ -74,7 +74,7 @@ private:
 /// Brings targets up to date; all of them where none is named. @returns the build's exit code
 int build(const Words& targets) {
     Words words = {"cmake", "--build", build_folder.string()};
-    if (!targets.empty()) words.push_back("--target");
+    if (!targets.empty()) words.emplace_back("--target");
     words.insert(words.end(), targets.begin(), targets.end());
 
     BuildLog  log;

@@ -34,7 +34,7 @@ Scene read_obj(const std::filesystem::path& path) {
     Scene       scene;
     const auto& xyz = reader.GetAttrib().vertices;
     for (std::size_t i = 0; i < xyz.size(); i += 3)
-        scene.mesh.vertices.push_back({xyz[i], xyz[i + 1], xyz[i + 2]});
+        scene.mesh.vertices.emplace_back(xyz[i], xyz[i + 1], xyz[i + 2]);
     for (const auto& material : reader.GetMaterials()) {
         scene.materials.push_back(
             {material.name, to_spectrum(material.diffuse), to_spectrum(material.emission)});

@@ -78,7 +78,7 @@ TEST_CASE(
         {"huge.obj", "v 0 0 1e39\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"},
         {"no_mtl.obj", "mtllib missing.mtl\n" + vertices + "f 1 2 3\n"},
         {"empty.obj", ""},
-        {"random.obj", std::string("\x7f\x45\x00\xff\x80\x01 v f \x02\n\xfe", 17)},
+        {"random.obj", std::string("\x7f\x45\x00\xff\x80\x01 v f \x02\n\xfe", 14)},
     };
     for (const auto& [name, text] : scenes) std::ofstream(scratch.path / name, std::ios::binary) << text;
     std::vector<std::string> names{"absent.obj", "figures"};

@@ -92,7 +92,7 @@ TEST_CASE("hdr: three mantissas and one exponent, decoded by hand") {
     const std::string header = "-Y 2 +X 2\n";
     CHECK(bytes.starts_with("#?RADIANCE\n"));
     const std::size_t start = bytes.find(header) + header.size();
-    REQUIRE(bytes.size() == start + 4 * 4);
+    REQUIRE(bytes.size() == start + std::size_t{16});
     for (std::size_t i = 0; i < 4; ++i) {
         CAPTURE(i);
         const auto byte = [&](std::size_t k) { return static_cast<unsigned char>(bytes[start + 4 * i + k]); };
