@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <map>
 #include <numbers>
 #include <string>
 #include <string_view>
@@ -14,6 +13,7 @@
 #include "diagrams.hpp"
 #include "geometry/hierarchy.hpp"
 #include "race.hpp"
+#include "race_chart.hpp"
 #include "scene/rasteriser.hpp"
 #include "scene/visibility_difference.hpp"
 #include "scenes.hpp"
@@ -197,44 +197,6 @@ void far_from_the_origin(course::Chapter& chapter) {
 }
 
 /// 1.6  Which is faster?
-struct Curves {
-    std::vector<double>                        x;
-    std::map<std::string, std::vector<double>> seconds;
-};
-
-course::Axes race_axes(const std::string& x) {
-    return {.x = x, .y = "time for an image [s]", .log = course::axis::xy, .columns = [] {
-                auto columns  = course::speed_accuracy({"triangles", "pixels", "seconds_min", "seconds_max"});
-                columns.x     = "effort";
-                columns.y     = "seconds";
-                columns.error = "";
-                columns.min   = "seconds_min";
-                columns.max   = "seconds_max";
-                return columns;
-            }()};
-}
-
-void add(course::Chart& chart, Curves& curves, const Race& race, const std::vector<Lap>& laps,
-         double effort) {
-    curves.x.push_back(effort);
-    for (const auto& lap : laps) {
-        chart.row({lap.method, effort, lap.seconds, lap.error, lap.error_se, race.triangles(), race.pixels(),
-                   lap.seconds_min, lap.seconds_max});
-        curves.seconds[lap.method].push_back(lap.seconds);
-    }
-}
-
-/// Marks where one method begins to take longer than another, and says so.
-std::string mark_crossing(course::Chart& chart, const Curves& curves, const std::string& slower,
-                          const std::string& faster, const std::string& unit) {
-    const auto x = crossing(curves.x, curves.seconds.at(slower), curves.seconds.at(faster));
-    if (!x) return fmt::format("\"{}\" and \"{}\" do not cross.", slower, faster);
-    const int  exponent = static_cast<int>(std::floor(std::log10(*x)));
-    const auto number   = fmt::format("${:.1f}\\cdot 10^{{{}}}$", *x / std::pow(10.0, exponent), exponent);
-    chart.mark_x(*x, number);
-    return fmt::format("\"{}\" takes longer than \"{}\" from {} {} on.", slower, faster, number, unit);
-}
-
 void which_is_faster(course::Chapter& chapter) {
     chapter.section("1.6 Which is faster");
     const bool   draft   = chapter.options().quality == course::Quality::draft;
@@ -246,7 +208,9 @@ void which_is_faster(course::Chapter& chapter) {
         "triangles", fmt::format("One image of {0} x {0} pixels, one thread", side), race_axes("triangles"));
     Curves                 triangles;
     const std::vector<int> levels{1, 2, 4, 8, 16, 32, 64, 125};
-    course::Progress       progress("racing", static_cast<std::int64_t>(levels.size()) + 7);
+    std::vector<int>       edges{16};
+    while (edges.back() < 2 * side) edges.push_back(2 * edges.back());
+    course::Progress progress("racing", static_cast<std::int64_t>(levels.size() + edges.size()));
     for (const int level : levels) {
         const Race race(level, side);
         add(by_triangles, triangles, race, race.run(repeats, tests, chapter.options().seed),
@@ -260,7 +224,7 @@ void which_is_faster(course::Chapter& chapter) {
     auto by_pixels =
         chapter.chart("pixels", "One image of 65 280 triangles, one thread", race_axes("pixels"));
     Curves pixels;
-    for (int edge = 16; edge <= 2 * side; edge *= 2) {
+    for (const int edge : edges) {
         const Race race(32, edge);
         add(by_pixels, pixels, race, race.run(repeats, tests, chapter.options().seed), double(race.pixels()));
         progress.tick();

@@ -119,15 +119,4 @@ private:
     VisibilityImage<double> reference_ = rasterise(exact_, exact_camera_);
 };
 
-/// Where the curve a rises above the curve b, between the points at x, as straight lines on logarithmic axes.
-[[nodiscard]] inline std::optional<double> crossing(const std::vector<double>& x,
-                                                    const std::vector<double>& a,
-                                                    const std::vector<double>& b) {
-    for (std::size_t i = 1; i < x.size(); ++i) {
-        const double before = std::log(a[i - 1] / b[i - 1]), after = std::log(a[i] / b[i]);
-        if (before <= 0 && after > 0) return x[i - 1] * std::pow(x[i] / x[i - 1], before / (before - after));
-    }
-    return std::nullopt;
-}
-
 }  // namespace sr

@@ -40,7 +40,7 @@ struct Hit {
 
 /// A ray made ready for many triangles: its direction's largest component becomes the third axis, and the
 /// triangles are seen along the ray, so that the question becomes a plane one: is the origin in a triangle?
-/// @pre direction finite and not zero
+/// @pre the direction is finite, and its largest component not smaller than the type's least normal number
 template <std::floating_point T>
 class TriangleRay {
 public:
