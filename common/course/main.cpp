@@ -50,8 +50,10 @@ class BuildLog {
 public:
     void operator()(std::string_view line) {
         const bool is_noise = line.starts_with("[0/") || line.starts_with("-- ") ||
-                              line.starts_with("ninja: ") || line.find(" -c ") != std::string_view::npos;
-        if (is_noise) return;
+                              line.starts_with("ninja: no ") || line.starts_with("ninja: build stopped") ||
+                              line.find(" -c ") != std::string_view::npos;
+        if (is_noise || line == last_) return;  // an assembler on a full disk complains a hundred times
+        last_ = line;
         if (!line.starts_with('[')) {
             clear();
             fmt::print(stderr, "{}\n", line);
@@ -68,7 +70,8 @@ public:
     }
 
 private:
-    bool is_shown_ = false;
+    std::string last_;
+    bool        is_shown_ = false;
 };
 
 /// Brings targets up to date; all of them where none is named. @returns the build's exit code
