@@ -12,9 +12,9 @@
 
 namespace sr {
 
-/// A point of space on paper: x to the upper right into the depth, y up, z to the right.
+/// A point of space on paper: z to the right, y up, and x to the lower right, towards us.
 [[nodiscard]] inline course::Point on_paper(Vector3<double> p) {
-    return {p.z + 0.45 * p.x, p.y + 0.30 * p.x};
+    return {p.z + 0.45 * p.x, p.y - 0.30 * p.x};
 }
 
 /// The pinhole, the image plane before it, and the ray through one pixel.
@@ -24,7 +24,7 @@ inline void draw_camera(course::Diagram diagram) {
     constexpr double f  = 4.6;  // the plane's distance
     const auto       at = [](double x, double y, double z) { return on_paper({x, y, z}); };
 
-    const std::array<V, 3> surface{V{-2.4, -1.0, 9.6}, V{2.6, -1.4, 9.9}, V{0.4, 2.6, 9.0}};
+    const std::array<V, 3> surface{V{2.4, 0.2, 8.0}, V{-2.2, -0.4, 10.4}, V{0.4, 3.2, 9.2}};
     diagram.polygon({on_paper(surface[0]), on_paper(surface[1]), on_paper(surface[2])}, {Ink::green}, 0.25);
 
     // The plane's frame, 8 x 6 pixels of side 0.5, and the pixel that the ray goes through.
@@ -32,14 +32,14 @@ inline void draw_camera(course::Diagram diagram) {
     for (int i = 0; i <= 8; ++i) diagram.line(at(-2 + 0.5 * i, -1.5, f), at(-2 + 0.5 * i, 1.5, f), thin);
     for (int j = 0; j <= 6; ++j) diagram.line(at(-2, -1.5 + 0.5 * j, f), at(2, -1.5 + 0.5 * j, f), thin);
     diagram.polygon({at(-2, -1.5, f), at(2, -1.5, f), at(2, 1.5, f), at(-2, 1.5, f)}, {Ink::blue});
-    diagram.polygon({at(0, 0, f), at(0.5, 0, f), at(0.5, 0.5, f), at(0, 0.5, f)}, {Ink::vermilion}, 0.5);
+    diagram.polygon({at(0, 0.5, f), at(0.5, 0.5, f), at(0.5, 1, f), at(0, 1, f)}, {Ink::vermilion}, 0.5);
     for (const double x : {-2.0, 2.0}) {
         for (const double y : {-1.5, 1.5}) {
             diagram.line(at(0, 0, 0), at(x, y, f), {Ink::blue, course::Weight::thin, true});
         }
     }
 
-    const V      d{0.25, 0.25, f};
+    const V      d{0.25, 0.75, f};
     const double t = 2.06;
     diagram.arrow(at(0, 0, 0), on_paper(d), {Ink::vermilion, course::Weight::thick});
     diagram.line(on_paper(d), on_paper(t * d), {Ink::vermilion});
@@ -50,14 +50,15 @@ inline void draw_camera(course::Diagram diagram) {
 
     using course::Anchor;
     diagram.label(at(0, 1.55, 0), "$\\mathbf{v}$", Anchor::centre);
-    diagram.label(at(2.0, 0.05, 0), "$\\mathbf{u}$", Anchor::centre);
-    diagram.label(at(0, -0.2, 1.45), "$\\mathbf{w}$", Anchor::centre);
-    diagram.label(at(0, -0.3, -0.15), "pinhole $\\mathbf{o}$", Anchor::right);
-    diagram.label(at(-2, -1.95, f), "image plane, at distance $f$", Anchor::left, Ink::blue);
-    diagram.label(at(0.25, 0.86, f), "$\\mathbf{d}$", Anchor::centre, Ink::vermilion);
-    diagram.label({5.75, 1.3}, "$\\mathbf{r}(t) = \\mathbf{o} + t\\,\\mathbf{d}$", Anchor::left,
+    diagram.label(at(2.1, -0.05, 0), "$\\mathbf{u}$", Anchor::centre);
+    diagram.label(at(0, -0.02, 1.62), "$\\mathbf{w}$");
+    diagram.label(at(0, -0.02, -0.2), "pinhole $\\mathbf{o}$", Anchor::right);
+    diagram.label(at(2, -1.95, f), "image plane, at distance $f$", Anchor::left, Ink::blue);
+    diagram.label(on_paper(0.55 * d) + course::Point{0, 0.3}, "$\\mathbf{d}$", Anchor::centre,
                   Ink::vermilion);
-    diagram.label(on_paper(surface[1]) + course::Point{0.15, 0.1}, "surface", Anchor::left, Ink::green);
+    diagram.label(on_paper(1.42 * d) + course::Point{0, 0.32},
+                  "$\\mathbf{r}(t) = \\mathbf{o} + t\\,\\mathbf{d}$", Anchor::centre, Ink::vermilion);
+    diagram.label(on_paper(surface[1]) + course::Point{0.15, 0}, "surface", Anchor::left, Ink::green);
 }
 
 /// Three triangles before an image of 12 x 9 pixels, the last in front of the others.
@@ -98,6 +99,8 @@ inline void draw_two_loops(course::Diagram diagram) {
     for (int y = 0; y < 9; ++y) {
         for (int x = 0; x < 12; ++x) {
             if (covered(x, y).hit()) pixel(x, y, right_panel, inks[2], 0.35);
+            diagram.point(on_panel({x + 0.5, y + 0.5}, right_panel),
+                          {covered(x, y).hit() ? inks[2] : Ink::grey, course::Weight::thin});
         }
     }
     for (const double shift : {0.0, right_panel}) {

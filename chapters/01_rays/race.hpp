@@ -95,13 +95,14 @@ private:
                           const std::vector<Pixel>& where) const {
         int wrong = 0;
         for (const auto& p : where) wrong += image(p.x, p.y).face != reference_(p.x, p.y).face ? 1 : 0;
-        const double n = double(where.size()), error = wrong / n;
-        return {timing.name,
-                timing.median * scale,
-                timing.min * scale,
-                timing.max * scale,
-                error,
-                std::sqrt(error * (1 - error) / n)};
+        const double n = double(where.size());
+        // All pixels leave nothing to chance. Of a sample, the error is that of the share (wrong + 1) / (n + 2),
+        // which is not zero where none was wrong (Laplace).
+        const bool   all = where.size() == image.pixels().size();
+        const double p   = (wrong + 1) / (n + 2);
+        return {timing.name,        timing.median * scale,
+                timing.min * scale, timing.max * scale,
+                wrong / n,          all ? 0 : std::sqrt(p * (1 - p) / n)};
     }
 
     [[nodiscard]] static Lap with_build(const course::Timing& build, Lap traced) {

@@ -2,7 +2,9 @@
 /// @file scenes.hpp
 /// The two scenes of chapter 1 and their cameras, and a view of any scene that a reader brings along.
 
+#include <algorithm>
 #include <filesystem>
+#include <utility>
 
 #include "geometry/box.hpp"
 #include "scene/camera.hpp"
@@ -43,17 +45,20 @@ struct Shot {
     return {teapot_scene(level), teapot_camera(width, width * 5 / 8)};
 }
 
-/// A file's scene from the front, a little above and from the right, filling the picture; y is up.
+/// A file's scene from the front, a little above and from the right, filling the picture; y is up. It is moved
+/// to the origin and scaled to radius 1, so that no file is too large or too far away for float.
 [[nodiscard]] inline Shot shot_of_file(const std::filesystem::path& file, int side) {
     Scene       scene = read_obj(file);
     Box<double> box;
     for (const auto& face : scene.mesh.faces) {
         for (const auto vertex : face) box.include(scene.mesh.vertices[vertex]);
     }
+    const double radius = std::max(length(box.size()) / 2, 1e-300);
+    for (auto& vertex : scene.mesh.vertices) vertex = (vertex - box.centre()) / radius;
+
     const Vector3<double> towards_eye = normalize(Vector3<double>{0.4, 0.35, 1});
-    const double          radius      = length(box.size()) / 2;
-    const Vector3<double> eye         = box.centre() + 2.6 * radius * towards_eye;
-    return {std::move(scene), pinhole_camera<double>(eye, -towards_eye, {0, 1, 0}, 1.0, 0.85, side, side)};
+    return {std::move(scene),
+            pinhole_camera<double>(2.6 * towards_eye, -towards_eye, {0, 1, 0}, 1.0, 0.85, side, side)};
 }
 
 }  // namespace sr

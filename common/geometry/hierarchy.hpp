@@ -31,7 +31,7 @@ public:
     }
 
     /// The hit with the least t in `range`, the same to the bit as BruteForce's.
-    /// @pre range.min >= 0
+    /// @pre range.min >= 0; a ray that is not finite hits nothing
     [[nodiscard]] std::optional<MeshHit<T>> nearest(const Ray<T>& ray,
                                                     Interval<T>   range = in_front<T>) const {
         NearestSearch<T> search(ray, range);
@@ -60,6 +60,7 @@ private:
     /// box is left out only where it begins beyond the nearest hit: at equal t another face may still win.
     template <class Enough>
     void walk(NearestSearch<T>& search, Enough enough) const {
+        if (triangles_.empty()) return;
         std::array<Waiting, HierarchyBuilder<T>::max_depth> stack;
         std::size_t                                         waiting = 0;
 

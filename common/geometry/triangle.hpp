@@ -40,7 +40,7 @@ struct Hit {
 
 /// A ray made ready for many triangles: its direction's largest component becomes the third axis, and the
 /// triangles are seen along the ray, so that the question becomes a plane one: is the origin in a triangle?
-/// @pre the direction is finite, and its largest component not smaller than the type's least normal number
+/// @pre no product of three coordinates overflows (10^12 in float); a ray that is not finite hits nothing
 template <std::floating_point T>
 class TriangleRay {
 public:
@@ -51,7 +51,9 @@ public:
         y_axis_            = (z_axis_ + 2) % 3;
         origin_            = {ray.origin[x_axis_], ray.origin[y_axis_], ray.origin[z_axis_]};
         // A power of two changes no digit, and keeps the products of a very long direction from overflowing.
-        scale_ = std::ldexp(T{1}, -std::ilogb(ray.direction[z_axis_]));
+        int exponent = 0;
+        std::frexp(ray.direction[z_axis_], &exponent);
+        scale_ = std::ldexp(T{1}, -exponent);
         direction_ =
             scale_ * Vector3<T>{ray.direction[x_axis_], ray.direction[y_axis_], ray.direction[z_axis_]};
     }

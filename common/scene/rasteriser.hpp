@@ -55,9 +55,14 @@ public:
 private:
     TriangleSetup(std::array<Vector, 3> weight, Vector depth) : weight_(weight), depth_(depth) {}
 
+    /// p x q, accurate, and to the bit the negative of q x p: the triangle on the other side of an edge sees
+    /// exactly the opposite weight, so that two neighbours can't both find a pixel beyond their edge.
     static Vector accurate_cross(Vector p, Vector q) {
-        return {difference_of_products(p.y, q.z, p.z, q.y), difference_of_products(p.z, q.x, p.x, q.z),
-                difference_of_products(p.x, q.y, p.y, q.x)};
+        const auto difference = [](double a, double b, double c, double d) {
+            return (difference_of_products(a, b, c, d) - difference_of_products(c, d, a, b)) / 2;
+        };
+        return {difference(p.y, q.z, p.z, q.y), difference(p.z, q.x, p.x, q.z),
+                difference(p.x, q.y, p.y, q.x)};
     }
 
     std::array<Vector, 3> weight_;

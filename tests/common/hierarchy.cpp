@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include "sampling/rng.hpp"
@@ -167,5 +168,23 @@ TEST_CASE("a staircase of boxes does not make the tree too deep to walk") {
     for (const double x : {1e-140, 1e-3, 1e100}) {
         const Ray<double> ray{{x, x, 0}, {0, 0, 1}};
         CHECK(hierarchy.nearest(ray) == BruteForce<double>(mesh).nearest(ray));
+    }
+}
+
+TEST_CASE("a ray that is not a number hits nothing, and comes to an end") {
+    const float nan      = std::numeric_limits<float>::quiet_NaN(),
+                infinity = std::numeric_limits<float>::infinity();
+    const Mesh<float> one{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
+    for (const Mesh<float>& mesh : {Mesh<float>{}, one, convert<float>(teapot(3))}) {
+        const Hierarchy<float> hierarchy(mesh);
+        for (const Ray<float>& ray : {Ray<float>{{nan, 0, 0}, {0, 0, 1}},
+                                      {{0, 0, 0}, {nan, nan, nan}},
+                                      {{0, 0, -9}, {0, 0, infinity}},
+                                      {{infinity, 0, 0}, {-1, 0, 0}},
+                                      {{0, 0, 0}, {0, 0, 0}}}) {
+            CHECK(!hierarchy.nearest(ray));
+            CHECK(!hierarchy.occluded(ray));
+            CHECK(!BruteForce<float>(mesh).nearest(ray));
+        }
     }
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "geometry/hierarchy.hpp"
+#include "sampling/rng.hpp"
 #include "scene/cornell_box.hpp"
 #include "scene/teapot.hpp"
 #include "scene/visibility_difference.hpp"
@@ -97,4 +98,28 @@ TEST_CASE("at equal t the lower face is drawn") {
         CHECK(pixel.face == 0);
     }
     CHECK(drawn >= 30);
+}
+
+TEST_CASE_TEMPLATE("no pixel is lost between two triangles whose edge goes through its centre", T, float,
+                   double) {
+    // Pairs of triangles on both sides of an edge, the edge's ends on the line that one pixel's ray spans.
+    const auto camera =
+        in_camera_space(convert<T>(pinhole_camera<double>({0, 0, 0}, {0, 0, 1}, {0, 1, 0}, 1.0, 1.0, 8, 8)));
+    int lost = 0, seen = 0;
+    for (int i = 0; i < 20'000; ++i) {
+        Rng        rng{11, i, 0, 0};
+        const auto random = [&] { return rng.uniform<T>() - T(0.5); };
+        const int  x = i % 8, y = i / 8 % 8;
+        const auto d    = camera.ray_through_pixel(x, y).direction;
+        const T    near = T(0.5) + rng.uniform<T>(), s = T(3) * random(), u = T(3) * random(),
+                v = T(3) * random(), w = T(3) * random();
+        const Vector3<T> a = near * d + Vector3<T>{s, u, v}, b = near * d - w * Vector3<T>{s, u, v};
+        const Vector3<T> aside = T(4) * normalize(cross(d, a - b));
+        const Mesh<T>    mesh{{a, b, near * d + aside, near * d - aside}, {{0, 1, 2}, {1, 0, 3}}};
+        if (!BruteForce<T>(mesh).nearest(camera.ray_through_pixel(x, y))) continue;  // beyond the edge's ends
+        ++seen;
+        lost += rasterise(mesh, camera)(x, y).hit() ? 0 : 1;
+    }
+    CHECK(seen >= 5'000);
+    CHECK(lost == 0);
 }
