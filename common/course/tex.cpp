@@ -1,3 +1,5 @@
+/// @file tex.cpp
+
 #include "course/tex.hpp"
 
 #include <fmt/core.h>
@@ -310,8 +312,16 @@ std::string tex_to_enhanced(std::string_view tex) {
 std::string tex_to_latex(std::string_view tex) {
     (void)read(tex);  // what the other pictures could not show is an error in this one too
     std::string latex;
-    for (const Stretch& stretch : stretches(tex))
-        latex += stretch.formula ? "$" + stretch.text + "$" : escape_latex(stretch.text);
+    for (const Stretch& stretch : stretches(tex)) {
+        if (stretch.formula)
+            latex += "$" + stretch.text + "$";
+        else
+            for (const char c : escape_latex(stretch.text))
+                if (c == '"')  // it opens before a word, after which LaTeX's own would close
+                    latex += latex.empty() || latex.ends_with(' ') || latex.ends_with('(') ? "``" : "''";
+                else
+                    latex += c;
+    }
     return latex;
 }
 
