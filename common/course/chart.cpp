@@ -1,3 +1,5 @@
+/// @file chart.cpp
+
 #include "course/chart.hpp"
 
 #include <fmt/core.h>

@@ -15,8 +15,6 @@ namespace sr::course {
 /// Which axes are logarithmic.
 enum class axis { none, x, y, xy };
 
-enum class Marks { lines_points, lines, points, bars };
-
 /// The columns of a chart's CSV, and which of them are drawn.
 struct Columns {
     std::vector<std::string> headers;  ///< all of them, in order
@@ -37,7 +35,6 @@ struct Axes {
     std::string y;
     axis        log     = axis::none;
     Columns     columns = {};  ///< by default `series`, the title of x, the title of y
-    Marks       marks   = Marks::lines_points;
 };
 
 /// A vertical line with a name, such as where two curves cross.

@@ -1,3 +1,5 @@
+/// @file chart_frame.cpp
+
 #include "course/chart_frame.hpp"
 
 #include <fmt/core.h>
@@ -73,6 +75,9 @@ Extent y_extent(const ChartData& chart, const std::vector<Curve>& curves) {
     for (const Curve& curve : curves)
         for (const Point& p : curve.points) extent.include(p.y, log);
     for (const auto& row : chart.table.rows) {
+        const std::string series = row[chart.table.column(columns.series)].text();
+        if (std::none_of(curves.begin(), curves.end(), [&](const Curve& c) { return c.name == series; }))
+            continue;  // its bars are not shown either
         const auto value = [&](const std::string& name) { return row[chart.table.column(name)].number(); };
         if (!columns.min.empty()) extent.include(value(columns.min), log);
         if (!columns.max.empty()) extent.include(value(columns.max), log);
@@ -80,7 +85,6 @@ Extent y_extent(const ChartData& chart, const std::vector<Curve>& curves) {
         if (!columns.error.empty()) extent.include(value(columns.y) + value(columns.error), log);
         if (!columns.error.empty() && !log) extent.include(value(columns.y) - value(columns.error), log);
     }
-    if (chart.axes.marks == Marks::bars && !log) extent.include(0, false);
     return extent;
 }
 
@@ -89,12 +93,23 @@ Extent x_extent(const ChartData& chart, const std::vector<Curve>& curves) {
     for (const Curve& curve : curves)
         for (const Point& p : curve.points) extent.include(p.x, is_log(chart, axis::x));
     for (const MarkedX& mark : chart.marked) extent.include(mark.x, is_log(chart, axis::x));
-    if (chart.axes.marks == Marks::bars && curves.front().points.size() > 1) {
-        const double half =
-            (extent.max - extent.min) / static_cast<double>(curves.front().points.size() - 1) / 2;
-        extent = {extent.min - half, extent.max + half};  // a bar is as wide as its neighbours are apart
-    }
     return extent;
+}
+
+/// In the words of the note under the chart, for a curve of which no point can be drawn.
+/// @throws std::invalid_argument when one of its values is not finite: no axis could show that
+std::string why_not_shown(const ChartData& chart, const Rows& grouped, const Curve& curve) {
+    bool all_zero = true;
+    for (std::size_t i = curve.first_row; i <= curve.last_row; ++i) {
+        const double x = grouped.rows[i][grouped.column(chart.axes.columns.x)].number();
+        const double y = grouped.rows[i][grouped.column(chart.axes.columns.y)].number();
+        if (!std::isfinite(x) || !std::isfinite(y))
+            throw std::invalid_argument(fmt::format(
+                "chart {}: no point of {} can be drawn, and a value of it is not finite: x = {}, y = {}",
+                chart.name, curve.name, x, y));
+        all_zero = all_zero && y == 0;
+    }
+    return all_zero && is_log(chart, axis::y) ? "0 everywhere" : "nowhere above 0";
 }
 
 /// A label's lines and the room that they take.
@@ -121,13 +136,12 @@ struct TextBlock {
 /// Finds a place for each label of a chart whose axes are laid out.
 class Labeller {
 public:
-    Labeller(const Frame& frame, const std::vector<Curve>& curves, Marks marks) : frame_{frame} {
+    Labeller(const Frame& frame, const std::vector<Curve>& curves) : frame_{frame} {
         for (const Curve& curve : curves) {
             std::vector<Point>& line = obstacles_.curves.emplace_back();
             for (const Point& p : curve.points) {
                 line.push_back(on_canvas(p));
-                const Point corner = marks == Marks::bars ? Point{line.back().x, frame.y.from} : line.back();
-                obstacles_.boxes.push_back({corner - 5.0, line.back() + 5.0});
+                obstacles_.boxes.push_back({line.back() - 5.0, line.back() + 5.0});
             }
         }
     }
@@ -136,7 +150,8 @@ public:
         const TextBlock    block{mark.label};
         const double       x = frame_.x(mark.x);
         std::vector<Point> places;
-        for (double y = frame_.y.to - block.height() / 2; y > frame_.y.from; y -= line_height(label_size) / 2)
+        const double       half_line = line_height(label_size) / 2;  // below the topmost grid line
+        for (double y = frame_.y.to - half_line - block.height() / 2; y > frame_.y.from; y -= half_line)
             places.insert(places.end(), {{x + 6, y}, {x - 6 - block.width, y}});
         place(block, places, Ink::grey);
         obstacles_.curves.push_back({{x, frame_.y.from}, {x, frame_.y.to}});
@@ -219,36 +234,46 @@ double Scale::operator()(double value) const {
     return from + share * (to - from);
 }
 
-std::vector<Curve> curves_of(const ChartData& chart, const Rows& grouped) {
+Curves curves_of(const ChartData& chart, const Rows& grouped) {
     const std::size_t  series = grouped.column(chart.axes.columns.series);
     const std::size_t  x      = grouped.column(chart.axes.columns.x);
     const std::size_t  y      = grouped.column(chart.axes.columns.y);
-    std::vector<Curve> curves;
+    std::vector<Curve> all;
     for (std::size_t i = 0; i < grouped.rows.size(); ++i) {
         const auto& row = grouped.rows[i];
-        if (curves.empty() || curves.back().name != row[series].text())
-            curves.push_back({row[series].text(), static_cast<Ink>(curves.size() % inks), i, i, {}});
-        curves.back().last_row = i;
+        if (all.empty() || all.back().name != row[series].text())
+            all.push_back({row[series].text(), static_cast<Ink>(all.size() % inks), i, i, {}});
+        all.back().last_row = i;
         const Point p{row[x].number(), row[y].number()};
         const bool shown = std::isfinite(p.x) && std::isfinite(p.y) && (p.x > 0 || !is_log(chart, axis::x)) &&
                            (p.y > 0 || !is_log(chart, axis::y));
-        if (shown) curves.back().points.push_back(p);
+        if (shown) all.back().points.push_back(p);
     }
-    if (curves.empty()) throw std::invalid_argument(fmt::format("chart {}: it has no rows", chart.name));
-    for (const Curve& curve : curves)
+    if (all.empty()) throw std::invalid_argument(fmt::format("chart {}: it has no rows", chart.name));
+
+    Curves curves;
+    for (Curve& curve : all)
         if (curve.points.empty())
-            throw std::invalid_argument(
-                fmt::format("chart {}: no point of {} can be drawn on its axes (a value that "
-                            "is not finite, or not positive on a logarithmic axis)",
-                            chart.name, curve.name));
+            curves.not_shown += (curves.not_shown.empty() ? "not shown: " : "; ") + curve.name + " (" +
+                                why_not_shown(chart, grouped, curve) + ")";
+        else
+            curves.shown.push_back(std::move(curve));
+    if (curves.shown.empty())
+        throw std::invalid_argument(fmt::format(
+            "chart {}: nothing can be drawn on its axes; {}; a logarithmic axis needs a value above 0",
+            chart.name, curves.not_shown));
     return curves;
 }
 
-Frame lay_out(const ChartData& chart, const std::vector<Curve>& curves) {
-    Frame frame;
-    frame.title          = wrapped(chart.title, FontSize::title, 0.95 * Canvas::width);
-    frame.caption        = chart.caption.empty() ? std::vector<std::string>{}
-                                                 : wrapped(chart.caption, FontSize::small, 0.95 * Canvas::width);
+Frame lay_out(const ChartData& chart, const Curves& all) {
+    const std::vector<Curve>& curves = all.shown;
+    Frame                     frame;
+    frame.title = wrapped(chart.title, FontSize::title, 0.95 * Canvas::width);
+    for (const std::string& text : {chart.caption, all.not_shown}) {
+        if (text.empty()) continue;
+        const std::vector<std::string> lines = wrapped(text, FontSize::small, 0.95 * Canvas::width);
+        frame.caption.insert(frame.caption.end(), lines.begin(), lines.end());
+    }
     const double title   = static_cast<double>(frame.title.size()) * line_height(FontSize::title);
     const double caption = static_cast<double>(frame.caption.size()) * line_height(FontSize::small);
     frame.canvas.height += caption;
@@ -269,7 +294,7 @@ Frame lay_out(const ChartData& chart, const std::vector<Curve>& curves) {
     frame.y.from = below_plot + caption;
     frame.y.to   = frame.canvas.height - title - 22;
 
-    Labeller labeller{frame, curves, chart.axes.marks};
+    Labeller labeller{frame, curves};
     labeller.in_margin(at_edge);
     for (const MarkedX& mark : chart.marked) labeller.at_mark(mark);
     for (const Curve* curve : inside) labeller.at_curve(*curve);

@@ -21,8 +21,15 @@ struct Curve {
     std::vector<Point> points;  ///< those that its axes can show: finite, and positive where logarithmic
 };
 
-/// @throws std::invalid_argument naming chart and curve when nothing of a curve can be drawn
-[[nodiscard]] std::vector<Curve> curves_of(const ChartData& chart, const Rows& grouped);
+/// The curves that the axes can show, and those that they can't: no value of them is positive on a logarithmic axis.
+struct Curves {
+    std::vector<Curve> shown;
+    std::string not_shown = {};  ///< the note on the others: "not shown: float (0 everywhere)"; or empty
+};
+
+/// @throws std::invalid_argument naming the chart when no curve can be drawn, and also the curve when that is because
+///         of values that are not finite
+[[nodiscard]] Curves curves_of(const ChartData& chart, const Rows& grouped);
 
 /// One axis: the values at its ends, and how they map to the canvas.
 struct Scale {
@@ -43,7 +50,7 @@ struct PlacedLabel {
     std::vector<Point>       leader = {};  ///< from the curve's end, where the label does not stand at it
 };
 
-inline constexpr double below_plot = 68;  ///< what ticks and title of the x axis take
+inline constexpr double below_plot = 74;  ///< what ticks and title of the x axis take
 
 /// A chart laid out.
 struct Frame {
@@ -51,10 +58,10 @@ struct Frame {
     Scale                    x;
     Scale                    y;
     std::vector<std::string> title;
-    std::vector<std::string> caption;
+    std::vector<std::string> caption;  ///< and the note on curves that are not shown
     std::vector<PlacedLabel> labels;
 };
 
-[[nodiscard]] Frame lay_out(const ChartData& chart, const std::vector<Curve>& curves);
+[[nodiscard]] Frame lay_out(const ChartData& chart, const Curves& curves);
 
 }  // namespace sr::course

@@ -1,7 +1,8 @@
+/// @file diagram.cpp
+
 #include "course/diagram.hpp"
 
-#include <cmath>
-#include <numbers>
+#include <algorithm>
 #include <stdexcept>
 
 namespace sr::course {
@@ -9,18 +10,6 @@ namespace sr::course {
 namespace {
 
 using Kind = Shape::Kind;
-
-constexpr double finest_turn = std::numbers::pi / 48;  // of one side of the polygon that stands for a circle
-
-std::vector<Point> arc_points(Point centre, double radius, double from, double to) {
-    const int          sides = 1 + static_cast<int>(std::abs(to - from) / finest_turn);
-    std::vector<Point> points;
-    for (int i = 0; i <= sides; ++i) {
-        const double angle = from + (to - from) * i / sides;
-        points.push_back(centre + radius * Point{std::cos(angle), std::sin(angle)});
-    }
-    return points;
-}
 
 const char* name_of(Kind kind) {
     constexpr const char* names[] = {"line", "arrow", "area", "point", "label"};
@@ -47,17 +36,13 @@ void Diagram::arrow(Point from, Point to, Pen pen) {
 void Diagram::polygon(std::vector<Point> corners, Pen pen, double opacity) {
     if (corners.size() < 3)
         throw std::invalid_argument("diagram " + data_->name + ": a polygon needs three corners");
-    corners.push_back(corners.front());
+    // the outline begins in the middle of a side: at a corner its two ends would leave a notch
+    const Point middle = 0.5 * (corners[0] + corners[1]);
+    std::rotate(corners.begin(), corners.begin() + 1, corners.end());
+    corners.insert(corners.begin(), middle);
+    corners.push_back(middle);
     data_->shapes.push_back(
         {.kind = Kind::area, .points = std::move(corners), .pen = pen, .opacity = opacity});
-}
-
-void Diagram::circle(Point centre, double radius, Pen pen, double opacity) {
-    polygon(arc_points(centre, radius, 0, 2 * std::numbers::pi), pen, opacity);
-}
-
-void Diagram::arc(Point centre, double radius, double from, double to, Pen pen) {
-    line(arc_points(centre, radius, from, to), pen);
 }
 
 void Diagram::point(Point at, Pen pen) {

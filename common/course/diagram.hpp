@@ -54,8 +54,6 @@ public:
     void line(std::vector<Point> through, Pen pen = {});
     void arrow(Point from, Point to, Pen pen = {});  ///< head at `to`
     void polygon(std::vector<Point> corners, Pen pen = {}, double opacity = 0);
-    void circle(Point centre, double radius, Pen pen = {}, double opacity = 0);
-    void arc(Point centre, double radius, double from, double to, Pen pen = {});  ///< angles [rad]
     void point(Point at, Pen pen = {});
     void label(Point at, std::string tex, Anchor anchor = Anchor::left, Ink ink = Ink::black);
 

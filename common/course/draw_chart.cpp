@@ -1,3 +1,5 @@
+/// @file draw_chart.cpp
+
 #include <fmt/format.h>
 
 #include <cmath>
@@ -34,7 +36,8 @@ std::string text_block(const Dialect& dialect, const Canvas& canvas, const std::
     return script;
 }
 
-/// The numbers along a logarithmic axis: powers of ten, or 1, 2, 5 where there are few of those.
+/// The numbers along a logarithmic axis: powers of ten, or decimals where it spans less than three of those, also
+/// at 2 and 5 where they would be very few.
 std::string log_ticks(char name, const Scale& scale, const Dialect& dialect) {
     const double decades = std::log10(scale.max / scale.min);
     if (decades > 8) return fmt::format("set format {} {}\n", name, dialect.power_of_ten());
@@ -42,7 +45,7 @@ std::string log_ticks(char name, const Scale& scale, const Dialect& dialect) {
     std::vector<std::string> minor;
     const int                first = static_cast<int>(std::floor(std::log10(scale.min)));
     const int                last  = static_cast<int>(std::ceil(std::log10(scale.max)));
-    const bool               plain = scale.min >= 0.001 && scale.max <= 20000;
+    const bool               plain = decades < 3 && scale.min >= 1e-4 && scale.max <= 1e6;  // as wide as fits
     for (int power = first; power <= last; ++power)
         for (int digit = 1; digit <= 9; ++digit) {
             const double value = digit * std::pow(10, power);
@@ -79,7 +82,7 @@ std::string frame_of(const Frame& frame, const Dialect& dialect) {
            fmt::format(
                "set border 3 linecolor rgb '{0}'\nset tics nomirror out scale 0.5, 0.25 textcolor rgb '{1}'\n"
                "set grid xtics ytics back linetype 1 linecolor rgb '#e0e0e0' linewidth 1, linetype 1 "
-               "linecolor rgb '#f0f0f0' linewidth 1\nset boxwidth 0.8 relative\n",
+               "linecolor rgb '#f0f0f0' linewidth 1\n",
                hex(Ink::grey), hex(Ink::black)) +
            axis_of('x', frame.x, dialect) + axis_of('y', frame.y, dialect);
 }
@@ -103,21 +106,6 @@ std::string texts_of(const ChartData& chart, const Frame& frame, const Dialect& 
                                   hex(label.ink));
     }
     return script;
-}
-
-/// The words "with lines ..." for a chart's marks.
-std::string_view marks_of(Marks marks) {
-    switch (marks) {
-        case Marks::lines:
-            return "lines";
-        case Marks::points:
-            return "points";
-        case Marks::bars:
-            return "boxes fill solid 0.8";
-        case Marks::lines_points:
-            break;
-    }
-    return "linespoints";
 }
 
 /// One curve, drawn from its rows of the CSV: its spread, then its line.
@@ -148,25 +136,26 @@ std::string plot_of(const ChartData& chart, const Curve& curve, const Frame& fra
             fmt::format("vectors nohead linewidth 1.5 linecolor rgb '{}'", hex(curve.ink));
         plot = fmt::format("{} using {}:{}:(0):({}-{}) {} with {}, ", data, x, from, high, from, title, line);
     }
-    return plot +
-           fmt::format("{} using {}:{} {} with {} linewidth 2.5 pointtype 7 pointsize 0.6 linecolor rgb '{}'",
-                       data, x, y, title, marks_of(chart.axes.marks), hex(curve.ink));
+    return plot + fmt::format(
+                      "{} using {}:{} {} with linespoints linewidth 2.5 pointtype 7 pointsize 0.6 linecolor "
+                      "rgb '{}'",
+                      data, x, y, title, hex(curve.ink));
 }
 
 }  // namespace
 
 std::string chart_script(const ChartData& chart, const std::filesystem::path& csv, std::string_view format) {
-    const std::vector<Curve> curves = curves_of(chart, grouped_by_series(chart));
-    const Frame              frame  = lay_out(chart, curves);
-    const Dialect            dialect{format};
-    std::string              script = frame_of(frame, dialect) + texts_of(chart, frame, dialect);
+    const Curves  curves = curves_of(chart, grouped_by_series(chart));
+    const Frame   frame  = lay_out(chart, curves);
+    const Dialect dialect{format};
+    std::string   script = frame_of(frame, dialect) + texts_of(chart, frame, dialect);
     for (const MarkedX& mark : chart.marked)
         script += fmt::format(
             "set arrow from first {0:.10g}, graph 0 to first {0:.10g}, graph 1 nohead back "
             "dashtype 2 linewidth 1.5 linecolor rgb '{1}'\n",
             mark.x, hex(Ink::grey));
     std::vector<std::string> plots;
-    for (const Curve& curve : curves)
+    for (const Curve& curve : curves.shown)
         plots.push_back(plot_of(chart, curve, frame, dialect, gnuplot_string(csv.string())));
     return script + fmt::format("plot {}\n", fmt::join(plots, ", "));
 }

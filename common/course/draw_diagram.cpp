@@ -1,3 +1,5 @@
+/// @file draw_diagram.cpp
+
 #include <fmt/format.h>
 
 #include <algorithm>

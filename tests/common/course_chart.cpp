@@ -84,11 +84,11 @@ TEST_CASE("a speed/accuracy chart has the columns of all of them") {
 }
 
 TEST_CASE("labels cover neither each other nor a curve, and stay on the canvas") {
-    const Chart              chart  = crowded();
-    const std::vector<Curve> curves = curves_of(chart.data(), grouped_by_series(chart.data()));
-    const Frame              frame  = laid_out(chart);
-    Obstacles                drawn;
-    for (const Curve& curve : curves) {
+    const Chart  chart  = crowded();
+    const Curves curves = curves_of(chart.data(), grouped_by_series(chart.data()));
+    const Frame  frame  = laid_out(chart);
+    Obstacles    drawn;
+    for (const Curve& curve : curves.shown) {
         auto& line = drawn.curves.emplace_back();
         for (const Point& p : curve.points) line.emplace_back(frame.x(p.x), frame.y(p.y));
     }
@@ -143,6 +143,46 @@ TEST_CASE("what no axis can show is told with chart and curve") {
     CHECK_THROWS_WITH((void)laid_out(chart), doctest::Contains("chart c: no point of bad can be drawn"));
 }
 
+TEST_CASE("a curve that a logarithmic axis can't show is named under the chart") {
+    Chart chart{"c", "t", {.x = "x", .y = "y", .log = axis::y}};
+    for (const double x : {1.0, 2.0}) {
+        chart.add("float, camera space", x, 0);
+        chart.add("below", x, -x);
+        chart.add("good", x, x == 1 ? 0 : 3);
+    }
+    const Curves curves = curves_of(chart.data(), grouped_by_series(chart.data()));
+    REQUIRE(curves.shown.size() == 1);
+    CHECK(curves.shown[0].name == "good");
+    CHECK(curves.shown[0].ink == Ink::green);  // the third, as in a chart that shows all three
+    CHECK(curves.shown[0].points == std::vector<Point>{{2, 3}});
+    CHECK(curves.not_shown == "not shown: float, camera space (0 everywhere); below (nowhere above 0)");
+    CHECK(laid_out(chart).caption == std::vector{curves.not_shown});
+    CHECK(grouped_by_series(chart.data()).rows.size() == 6);
+    const std::string script = chart_script(chart.data(), "c.csv", "svg");
+    CHECK(script.find("every ::4::5") != std::string::npos);
+    CHECK(script.find("every ::0::1") == std::string::npos);
+
+    Chart none{"c", "t", {.x = "x", .y = "y", .log = axis::y}};
+    none.add("zero", 1, 0);
+    CHECK_THROWS_WITH_AS((void)laid_out(none),
+                         "chart c: nothing can be drawn on its axes; not shown: zero (0 everywhere); a "
+                         "logarithmic axis needs a value above 0",
+                         std::invalid_argument);
+}
+
+TEST_CASE("a logarithmic axis of three decades or more is numbered in powers of ten") {
+    const auto script = [](double last) {
+        Chart chart{"c", "t", {.x = "x", .y = "y", .log = axis::x}};
+        chart.add("a", 0.01, 1);
+        chart.add("a", last, 2);
+        return chart_script(chart.data(), "c.csv", "svg");
+    };
+    CHECK(script(100).find("10^{2}") != std::string::npos);
+    CHECK(script(100).find("'100'") == std::string::npos);
+    CHECK(script(1).find("'0.01'") != std::string::npos);
+    CHECK(script(1).find("10^") == std::string::npos);
+}
+
 TEST_CASE("gnuplot draws every format from the CSV") {
     if (!run_gnuplot("set terminal dumb\nplot x")) {
         MESSAGE("gnuplot is not installed: nothing was drawn");
@@ -184,10 +224,12 @@ TEST_CASE("a diagram's rows are its shapes, and gnuplot draws them") {
     diagram.polygon({{0, 0}, {1, 0}, {0, 1}}, {}, 0.25);
     diagram.label({1, 1}, "$t_{\\min}$, 50% & more");
     diagram.point({3, 3});
-    CHECK(to_csv(to_rows(diagram.data())) ==
-          "shape,kind,x,y,dx,dy,text\n1,line,0,0,0,0,\n1,line,1,0,0,0,\n2,arrow,0,0,2,1,\n3,area,0,0,0,0,\n"
-          "3,area,1,0,0,0,\n3,area,0,1,0,0,\n3,area,0,0,0,0,\n4,label,1,1,0,0,\"$t_{\\min}$, 50% & more\"\n"
-          "5,point,3,3,0,0,\n");
+    CHECK(
+        to_csv(to_rows(diagram.data())) ==
+        "shape,kind,x,y,dx,dy,text\n1,line,0,0,0,0,\n1,line,1,0,0,0,\n2,arrow,0,0,2,1,\n3,area,0.5,0,0,0,\n"
+        "3,area,1,0,0,0,\n3,area,0,1,0,0,\n3,area,0,0,0,0,\n3,area,0.5,0,0,0,\n4,label,1,1,0,0,\"$t_{\\min}$,"
+        " 50% & more\"\n"
+        "5,point,3,3,0,0,\n");
     const test::ScratchFolder folder{"diagram"};
     write_csv(folder.path / "d.csv", to_rows(diagram.data()));
     for (const char* format : {"svg", "png", "pdf", "tex"})
