@@ -1,3 +1,5 @@
+/// @file terminal.cpp
+
 #include "course/terminal.hpp"
 
 #include <fmt/core.h>
@@ -23,7 +25,7 @@ bool stderr_is_terminal() {
 std::string emphasise(std::string_view text, Emphasis emphasis) {
     const char* no_colour = std::getenv("NO_COLOR");
     if (!stdout_is_terminal() || (no_colour != nullptr && *no_colour != '\0')) return std::string{text};
-    const char* codes[] = {"1", "2", "32", "1;31"};
+    const char* codes[] = {"1", "32", "1;31"};
     return fmt::format("\x1b[{}m{}\x1b[0m", codes[static_cast<int>(emphasis)], text);
 }
 

@@ -10,7 +10,7 @@ namespace sr::course {
 [[nodiscard]] bool stdout_is_terminal();
 [[nodiscard]] bool stderr_is_terminal();
 
-enum class Emphasis { strong, faint, good, bad };
+enum class Emphasis { strong, good, bad };
 
 /// `text` in colour, for stdout; unchanged when stdout is no terminal or NO_COLOR is set
 /// (https://no-color.org).
