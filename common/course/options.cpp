@@ -1,3 +1,5 @@
+/// @file options.cpp
+
 #include "course/options.hpp"
 
 #include <fmt/core.h>
@@ -36,7 +38,7 @@ std::vector<CommandOption> shared_options(const Defaults& defaults) {
         {"--seed", "N", "start of all random numbers [1]"},
         {"--format", "LIST", "of svg, png, pdf, tex, separated by commas [svg]"}};
     if (defaults.renders_scene)
-        all.push_back({"--scene", "FILE", "OBJ file to render in place of the chapter's scene"});
+        all.push_back({"--scene", "FILE", "OBJ file: render it instead of the chapter's own scene"});
     return all;
 }
 
