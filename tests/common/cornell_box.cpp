@@ -6,7 +6,9 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <set>
 #include <span>
+#include <string>
 #include <utility>
 
 #include "scene/cornell_box.hpp"
@@ -77,14 +79,19 @@ TEST_CASE("cornell box: parts have the areas and paints of the published measure
 }
 
 TEST_CASE("cornell box: the paints' reflectances") {
+    const std::map<std::string, Spectrum> paints{{"white", {0.725f, 0.71f, 0.68f}},
+                                                 {"red", {0.63f, 0.065f, 0.05f}},
+                                                 {"green", {0.14f, 0.45f, 0.091f}},
+                                                 {"light", {0.78f, 0.78f, 0.78f}}};
+    std::set<std::string>                 seen;
     for (const Material& m : cornell_box().materials) {
         CAPTURE(m.name);
-        if (m.name == "white") CHECK(m.reflectance == Spectrum{0.725f, 0.71f, 0.68f});
-        if (m.name == "red") CHECK(m.reflectance == Spectrum{0.63f, 0.065f, 0.05f});
-        if (m.name == "green") CHECK(m.reflectance == Spectrum{0.14f, 0.45f, 0.091f});
-        if (m.name == "light") CHECK(m.reflectance == Spectrum{0.78f, 0.78f, 0.78f});
-        if (m.name != "light") CHECK(m.emission == Spectrum{});
+        REQUIRE(paints.contains(m.name));
+        CHECK(m.reflectance == paints.at(m.name));
+        CHECK((m.emission == Spectrum{}) == (m.name != "light"));
+        seen.insert(m.name);
     }
+    CHECK(seen.size() == paints.size());
 }
 
 TEST_CASE("cornell box: the red wall is not planar, and is cut as (0,1,2), (0,2,3)") {
