@@ -1,3 +1,5 @@
+/// @file chapter.cpp
+
 #include "course/chapter.hpp"
 
 #include <fmt/format.h>

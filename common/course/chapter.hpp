@@ -53,7 +53,7 @@ public:
     /// measured <= bound, or the program exits with 1.
     void claim_at_most(std::string name, double measured, double bound);
 
-    /// Writes what is charted and claimed and prints the claims. @returns whether all of them hold
+    /// Writes what is charted and claimed and prints the claims. @return whether all of them hold
     [[nodiscard]] bool finish();
 
 private:
@@ -71,7 +71,7 @@ private:
 using Lecture = std::function<void(Chapter&)>;
 
 /// Runs a chapter's program from its options to its table of claims.
-/// @returns the exit code: 0, 1 when a claim failed, 2 after one line on stderr that says what was wrong
+/// @return the exit code: 0, 1 when a claim failed, 2 after one line on stderr that says what was wrong
 [[nodiscard]] int run(int argc, const char* const* argv, std::string_view name, std::string_view title,
                       const Defaults& defaults, const Lecture& lecture);
 [[nodiscard]] int run(int argc, const char* const* argv, std::string_view name, std::string_view title,

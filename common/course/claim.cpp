@@ -1,3 +1,5 @@
+/// @file claim.cpp
+
 #include "course/claim.hpp"
 
 #include <fmt/core.h>

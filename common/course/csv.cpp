@@ -1,3 +1,5 @@
+/// @file csv.cpp
+
 #include "course/csv.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,5 @@
+/// @file errors.cpp
+
 #include "course/errors.hpp"
 
 #include <fmt/core.h>

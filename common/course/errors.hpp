@@ -11,7 +11,7 @@ namespace sr::course {
 inline constexpr int claim_failed = 1;
 inline constexpr int bad_input    = 2;
 
-/// One line on stderr: "01_rays: error: --size 0: ...". @returns bad_input, the exit code that goes with it
+/// One line on stderr: "01_rays: error: --size 0: ...". @return bad_input, the exit code that goes with it
 int report_error(std::string_view program, std::string_view what);
 
 /// "; did you mean --size?" when one of `known` differs from `word` in few letters, or else nothing.

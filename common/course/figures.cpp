@@ -1,3 +1,5 @@
+/// @file figures.cpp
+
 #include "course/figures.hpp"
 
 #include <fmt/format.h>

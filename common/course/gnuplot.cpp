@@ -1,3 +1,5 @@
+/// @file gnuplot.cpp
+
 #include "course/gnuplot.hpp"
 
 #include <fmt/core.h>

@@ -1,3 +1,5 @@
+/// @file label_layout.cpp
+
 #include "course/label_layout.hpp"
 
 #include <algorithm>

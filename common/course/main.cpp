@@ -74,7 +74,7 @@ private:
     bool        is_shown_ = false;
 };
 
-/// Brings targets up to date; all of them where none is named. @returns the build's exit code
+/// Brings targets up to date; all of them where none is named. @return the build's exit code
 int build(const Words& targets) {
     Words words = {"cmake", "--build", build_folder.string()};
     if (!targets.empty()) words.emplace_back("--target");

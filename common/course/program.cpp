@@ -1,3 +1,5 @@
+/// @file program.cpp
+
 #include "course/program.hpp"
 
 #include <fmt/format.h>

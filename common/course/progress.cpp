@@ -1,3 +1,5 @@
+/// @file progress.cpp
+
 #include "course/progress.hpp"
 
 #include <fmt/core.h>

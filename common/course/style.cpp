@@ -1,3 +1,5 @@
+/// @file style.cpp
+
 #include "course/style.hpp"
 
 #include <fmt/core.h>

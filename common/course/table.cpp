@@ -1,3 +1,5 @@
+/// @file table.cpp
+
 #include "course/table.hpp"
 
 #include <fmt/format.h>

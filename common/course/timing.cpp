@@ -1,3 +1,5 @@
+/// @file timing.cpp
+
 #include "course/timing.hpp"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+/// @file whole_file.cpp
+
 #include "image/whole_file.hpp"
 
 #include <fcntl.h>

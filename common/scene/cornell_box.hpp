@@ -10,6 +10,7 @@ namespace sr {
 
 /// The box as published: 32 triangles, walls and two blocks, open towards the camera. The light lies 0.1
 /// below the ceiling, whose plane it shares in the original.
+/// @throws std::runtime_error when the file of its data can't be read
 [[nodiscard]] Scene cornell_box();
 
 /// The published camera. Focal length and film side are lengths in another unit than the box: only their

@@ -15,6 +15,7 @@ inline constexpr int max_teapot_level = 500;
 /// at the rim and the lid, between which is a gap, and at both ends of handle and spout.
 /// @pre 1 <= level <= max_teapot_level
 /// @throws std::invalid_argument otherwise
+/// @throws std::runtime_error when the file of its patches can't be read
 [[nodiscard]] Mesh<double> teapot(int level);
 
 }  // namespace sr

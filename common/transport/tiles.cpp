@@ -1,3 +1,5 @@
+/// @file tiles.cpp
+
 #include "transport/tiles.hpp"
 
 #include <tbb/global_control.h>
