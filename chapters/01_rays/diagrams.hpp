@@ -24,7 +24,7 @@ inline void draw_camera(course::Diagram diagram) {
     constexpr double f  = 4.6;  // the plane's distance
     const auto       at = [](double x, double y, double z) { return on_paper({x, y, z}); };
 
-    const std::array<V, 3> surface{V{2.4, 0.2, 8.0}, V{-2.2, -0.4, 10.4}, V{0.4, 3.2, 9.2}};
+    const std::array<V, 3> surface{V{1, -0.5, 8.75}, V{-1, 0, 11.75}, V{0, 3.2, 9.9}};
     diagram.polygon({on_paper(surface[0]), on_paper(surface[1]), on_paper(surface[2])}, {Ink::green}, 0.25);
 
     // The plane's frame, 8 x 6 pixels of side 0.5, and the pixel that the ray goes through.
@@ -40,7 +40,7 @@ inline void draw_camera(course::Diagram diagram) {
     }
 
     const V      d{0.25, 0.75, f};
-    const double t = 2.06;
+    const double t = 2.1;
     diagram.arrow(at(0, 0, 0), on_paper(d), {Ink::vermilion, course::Weight::thick});
     diagram.line(on_paper(d), on_paper(t * d), {Ink::vermilion});
     diagram.point(on_paper(t * d), {Ink::vermilion});
@@ -99,8 +99,11 @@ inline void draw_two_loops(course::Diagram diagram) {
     for (int y = 0; y < 9; ++y) {
         for (int x = 0; x < 12; ++x) {
             if (covered(x, y).hit()) pixel(x, y, right_panel, inks[2], 0.35);
-            diagram.point(on_panel({x + 0.5, y + 0.5}, right_panel),
-                          {covered(x, y).hit() ? inks[2] : Ink::grey, course::Weight::thin});
+            const course::Point centre = on_panel({x + 0.5, y + 0.5}, right_panel);
+            const double        r      = 0.06;
+            diagram.polygon({centre + course::Point{-r, -r}, centre + course::Point{r, -r},
+                             centre + course::Point{r, r}, centre + course::Point{-r, r}},
+                            {covered(x, y).hit() ? inks[2] : Ink::grey, course::Weight::thin}, 1);
         }
     }
     for (const double shift : {0.0, right_panel}) {
