@@ -95,9 +95,10 @@ inline void draw_two_loops(course::Diagram diagram) {
 
     // Right: the pixels of one triangle, as the rasteriser finds them.
     const Mesh<double> one{scene.mesh.vertices, {scene.mesh.faces[2]}};
-    const auto         covered = rasterise(one, scene.camera);
-    for (int y = 0; y < 9; ++y) {
-        for (int x = 0; x < 12; ++x) {
+    const auto         covered      = rasterise(one, scene.camera);
+    const PixelRange   asked_pixels = pixels_around(one.triangle(0), scene.camera);
+    for (int y = asked_pixels.y_begin; y < asked_pixels.y_end; ++y) {
+        for (int x = asked_pixels.x_begin; x < asked_pixels.x_end; ++x) {
             if (covered(x, y).hit()) pixel(x, y, right_panel, inks[2], 0.35);
             const course::Point centre = on_panel({x + 0.5, y + 0.5}, right_panel);
             const double        r      = 0.06;
