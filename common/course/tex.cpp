@@ -317,10 +317,12 @@ std::string tex_to_latex(std::string_view tex) {
             latex += "$" + stretch.text + "$";
         else
             for (const char c : escape_latex(stretch.text))
-                if (c == '"')  // it opens before a word, after which LaTeX's own would close
-                    latex += latex.empty() || latex.ends_with(' ') || latex.ends_with('(') ? "``" : "''";
-                else
+                if (c == '"') {  // it opens before a word, where LaTeX's own would close; gnuplot can't read two quotes
+                    const bool opens = latex.empty() || latex.ends_with(' ') || latex.ends_with('(');
+                    latex += opens ? "``" : "{\\textquotedblright}";
+                } else {
                     latex += c;
+                }
     }
     return latex;
 }

@@ -189,7 +189,8 @@ TEST_CASE("gnuplot draws every format from the CSV") {
         return;
     }
     const test::ScratchFolder folder{"it's a chart"};
-    const Chart               chart = crowded();
+    Chart                     chart = crowded();
+    chart.caption("a \"quoted\" word & more, and it's one");
     write_csv(folder.path / "c.csv", grouped_by_series(chart.data()));
     const std::pair<const char*, const char*> starts[] = {
         {"svg", "<?xml"}, {"png", "\x89PNG"}, {"pdf", "%PDF"}, {"tex", "\\begin{tikz"}};

@@ -73,7 +73,7 @@ TEST_CASE("TeX becomes gnuplot's text, LaTeX and HTML") {
     CHECK(tex_to_html(ray) == "ray <b>o</b>\u00a0+\u00a0<i>t</i>\u2009<b>d</b>");
     CHECK(tex_to_enhanced(ray) == "ray {/serif:Bold o}\u00a0+\u00a0{/serif:Italic t}\u2009{/serif:Bold d}");
     CHECK(tex_to_latex(ray) == ray);
-    CHECK(tex_to_latex("a \"hit\", (\"$t$ in $T$\")") == "a ``hit'', (``$t$ in $T$'')");
+    CHECK(tex_to_latex("a \"hit\", (\"$t$ in $T$\")") == "a ``hit{\\textquotedblright}, (``$t$ in $T${\\textquotedblright})");
     CHECK(tex_to_html("$t_{\\min}$, $n^{-1/2}$") == "<i>t</i><sub>min</sub>, <i>n</i><sup>−1/2</sup>");
     CHECK(tex_to_enhanced("$\\omega_i$") == "{/serif:Italic ω}_{{/serif:Italic i}}");
     CHECK(tex_to_plain("$\\sin\\theta \\le 1$ at \\$5") == "sin\u2009θ\u00a0≤\u00a01 at $5");
