@@ -169,7 +169,7 @@ int run(int argc, const char* const* argv, std::string_view name, std::string_vi
         return chapter.finish() ? 0 : claim_failed;
     } catch (const std::exception& error) {
         std::fflush(stdout);
-        return report_error(name, error.what());
+        return report_error(name, error);
     }
 }
 

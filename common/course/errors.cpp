@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <numeric>
 #include <utility>
 
@@ -28,10 +29,16 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
     return row.back();
 }
 
+/// What it says. The file system's own words come as "filesystem error: cannot ...: Permission denied [/a] [/b]".
+std::string message_of(const std::exception& error) {
+    const auto* const files = dynamic_cast<const std::filesystem::filesystem_error*>(&error);
+    return files ? fmt::format("{}: {}", files->path1().string(), files->code().message()) : error.what();
+}
+
 }  // namespace
 
-int report_error(std::string_view program, std::string_view what) {
-    std::string line{what};
+int report_error(std::string_view program, const std::exception& error) {
+    std::string line = message_of(error);
     std::replace(line.begin(), line.end(), '\n', ' ');
     fmt::print(stderr, "{}: error: {}\n", program, line);
     return bad_input;

@@ -130,8 +130,11 @@ void write_captions(const fs::path& chapter, const std::vector<Figure>& figures)
 
 void write_index(const fs::path& figures_root) {
     std::vector<std::string> chapters;
-    for (const auto& entry : fs::directory_iterator(figures_root))
-        if (fs::exists(entry.path() / captions_file)) chapters.push_back(entry.path().filename().string());
+    for (const auto& entry : fs::directory_iterator(figures_root)) {
+        std::error_code locked;  // a folder that is none of ours
+        if (fs::exists(entry.path() / captions_file, locked))
+            chapters.push_back(entry.path().filename().string());
+    }
     std::sort(chapters.begin(), chapters.end());
 
     std::string page{page_head};

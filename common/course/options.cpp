@@ -82,6 +82,7 @@ Options checked(const Values& given, const Defaults& defaults) {
     };
     Options o;
     o.out     = value("--out", "figures");
+    if (o.out.empty()) throw std::invalid_argument("--out : name the folder of the figures");
     o.quality = quality(value("--quality", "lecture"));
     o.size    = whole_number("--size", value("--size", std::to_string(defaults.size.at(o.quality))), 16, 8192,
                              "the image's edge must be 16 to 8192 pixels");
@@ -205,7 +206,7 @@ Parsed parse_options(int argc, const char* const* argv, std::string_view name, s
         if (!parts.rest.empty()) unknown_word(parts.rest.front(), known);
         return {.options = checked(parts.values, defaults)};
     } catch (const std::exception& error) {
-        return {.exit_code = report_error(name, error.what())};
+        return {.exit_code = report_error(name, error)};
     }
 }
 
@@ -237,7 +238,7 @@ int dispatch(int argc, const char* const* argv, std::string_view program, std::s
     throw std::invalid_argument(
         fmt::format("{}: unknown command{}; see {} --help", name, did_you_mean(name, names), program));
 } catch (const std::exception& error) {
-    return report_error(program, error.what());
+    return report_error(program, error);
 }
 
 }  // namespace sr::course

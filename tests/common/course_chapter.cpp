@@ -106,6 +106,8 @@ TEST_CASE("an error is one line and exit code 2") {
     };
     CHECK(line([](Chapter&) { throw std::runtime_error("x.obj, line 3:\nno such vertex"); }) ==
           "99_demo: error: x.obj, line 3: no such vertex\n");
+    CHECK(line([](Chapter&) { (void)std::filesystem::file_size("no such/file"); }) ==
+          "99_demo: error: no such/file: No such file or directory\n");
     CHECK(line([](Chapter& c) {
               (void)c.diagram("a", "");
               (void)c.diagram("a", "");

@@ -68,6 +68,7 @@ TEST_CASE("what is wrong is told in one line with exit code 2") {
         {{"--samples", "0"}, "--samples 0: the number of samples must be 1 to 1000000"},
         {{"--threads", "0"}, "--threads 0: the number of threads must be 1 to 1024"},
         {{"--seed", "-1"}, "--seed -1: the seed must be a whole number from 0 to 18446744073709551615"},
+        {{"--out", ""}, "--out : name the folder of the figures"},
         {{"--quality", "best"}, "--quality best: the quality must be draft, lecture or print"},
         {{"--format", "gif"}, "--format gif: the formats must be of svg, png, pdf, tex, separated by commas"},
         {{"--format", ""}, "--format : the formats must be of svg, png, pdf, tex, separated by commas"},
