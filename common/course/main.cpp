@@ -137,9 +137,7 @@ int run(const course::Arguments& arguments) {
 }
 
 int list(const course::Arguments&) {
-    course::Rows table{{"chapter", "title"}};
-    for (const std::string& chapter : chapters()) table.add({chapter, title_of(chapter)});
-    course::print(table);
+    for (const std::string& chapter : chapters()) fmt::print("{:<24}{}\n", chapter, title_of(chapter));
     return 0;
 }
 
@@ -215,7 +213,8 @@ int test(const course::Arguments& arguments) {
                    "--progress",
                    "--parallel",
                    std::to_string(std::thread::hardware_concurrency())};
-    words.insert(words.end(), arguments.rest.begin(), arguments.rest.end());
+    if (!arguments.rest.empty())
+        words.insert(words.end(), {"--tests-regex", fmt::format("{}", fmt::join(arguments.rest, "|"))});
     return course::run_program(words);
 }
 
@@ -253,17 +252,21 @@ fs::path topic_named(const std::string& word) {
 }
 
 int bench(const course::Arguments& arguments) {
+    const auto csv = arguments.value("--csv");
+    if (arguments.rest.empty() && csv)
+        throw std::invalid_argument(fmt::format("bench --csv {}: name a topic, as bench lists them", *csv));
     if (arguments.rest.empty()) return list_topics();
+    if (arguments.rest.size() > 1)
+        throw std::invalid_argument(
+            fmt::format("bench {}: one topic at a time", fmt::join(arguments.rest, " ")));
     const fs::path    file  = topic_named(arguments.rest.front());
     const std::string topic = file.stem().string();
-    const auto        csv   = arguments.value("--csv");
 
     Words words;
     if (file.extension() == ".cpp") {
         if (const int code = build({"bench_" + topic}); code != 0) return code;
         words = {program("bench_" + topic)};
         if (csv) words.insert(words.end(), {"--csv", *csv});
-        words.insert(words.end(), arguments.rest.begin() + 1, arguments.rest.end());
     } else {
         words = {"cmake"};
         if (csv) words.push_back("-DCSV=" + fs::absolute(*csv).string());
@@ -292,17 +295,19 @@ course::Rows packages() {
 int doctor(const course::Arguments&) {
     const course::Rows table = packages();
     course::Rows       shown{{"package", "state", "version", "what for"}};
-    std::string        commands;
+    std::string        installer, names;
     bool               can_build = true;
     for (const auto& row : table.rows) {
         const bool missing = row[table.column("state")].text() == "missing";
         shown.add({row[table.column("package")], row[table.column("state")], row[table.column("version")],
                    row[table.column("purpose")]});
-        if (missing) commands += fmt::format("    {}\n", row[table.column("install")].text());
+        installer = row[table.column("installer")].text();
+        if (const std::string name = row[table.column("name")].text(); missing && name != "-")
+            names += " " + name;
         if (missing && row[table.column("need")].text() == "build") can_build = false;
     }
     course::print(shown);
-    if (!commands.empty()) fmt::print("\nTo install what is missing:\n{}", commands);
+    if (!names.empty()) fmt::print("\nTo install what is missing:\n    {}{}\n", installer, names);
     return can_build ? 0 : 1;
 }
 
@@ -311,31 +316,34 @@ int doctor(const course::Arguments&) {
 int main(int argc, char** argv) {
     using course::Rest;
     return course::dispatch(
-        argc, argv, "course", "A course in ray tracing that you run.",
+        argc, argv, "course", read_text(source_folder / "common" / "course" / "help.txt"),
         {{.name         = "figures",
-          .help         = "make the figures of all chapters, or of some",
+          .help         = "Makes the figures of all chapters, or of some.",
           .rest         = Rest::words,
           .rest_name    = "[NN...]",
           .options      = {{"--publish", "", "copy what the texts show to docs/pictures"}},
           .takes_shared = true,
           .run          = figures},
          {.name      = "run",
-          .help      = "run a chapter's program",
+          .help      = "Runs a chapter's program; `run NN --help` lists its options.\n"
+                       "Figures go to the course's own folder figures unless --out names another.",
           .rest      = Rest::verbatim,
-          .rest_name = "NN [OPTION...]",
+          .rest_name = "NN [option...]",
           .run       = run},
          {.name      = "test",
-          .help      = "build everything and run the tests; options go to ctest",
-          .rest      = Rest::everything,
-          .rest_name = "[CTEST OPTION...]",
+          .help      = "Builds everything and runs the tests, or those whose names match one of the words.",
+          .rest      = Rest::words,
+          .rest_name = "[NAME...]",
           .run       = test},
          {.name      = "bench",
-          .help      = "measure a topic; without one, the list of topics",
-          .rest      = Rest::everything,
+          .help      = "Measures a topic; without one, lists the topics.",
+          .rest      = Rest::words,
           .rest_name = "[TOPIC]",
           .options   = {{"--csv", "FILE", "write the table to FILE"}},
           .run       = bench},
-         {.name = "docs", .help = "make the site from the texts and the code", .run = docs},
-         {.name = "list", .help = "the chapters and their titles", .run = list},
-         {.name = "doctor", .help = "what is installed, what is missing and how to get it", .run = doctor}});
+         {.name = "docs", .help = "Makes the site from the texts and the code.", .run = docs},
+         {.name = "list", .help = "Lists the chapters and their titles.", .run = list},
+         {.name = "doctor",
+          .help = "Tells what is installed, what is missing and how to get it.",
+          .run  = doctor}});
 }

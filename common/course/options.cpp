@@ -23,21 +23,22 @@ int cores() {
     return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
-/// "[128 draft, 512 lecture, 1024 print]"
-std::string by_quality(const ByQuality& n) {
-    return fmt::format("[{} draft, {} lecture, {} print]", n.draft, n.lecture, n.print);
-}
-
-std::vector<CommandOption> shared_options(const Defaults& defaults) {
+/// @param chapter   whose defaults --help shows; none: they differ from chapter to chapter
+std::vector<CommandOption> shared_options(const std::optional<Defaults>& chapter) {
+    const auto by_quality = [&](ByQuality Defaults::*number) -> std::string {
+        if (!chapter) return "[the chapter's]";
+        const ByQuality& n = (*chapter).*number;
+        return fmt::format("[{} draft, {} lecture, {} print]", n.draft, n.lecture, n.print);
+    };
     std::vector<CommandOption> all{
-        {"--out", "DIR", "folder of the figures [figures]"},
+        {"--out", "DIR", "folder of the figures [figures; with course: its own folder figures]"},
         {"--quality", "Q", "draft, lecture or print [lecture]"},
-        {"--size", "N", "longer edge of a render in pixels " + by_quality(defaults.size)},
-        {"--samples", "N", "samples per pixel or estimate " + by_quality(defaults.samples)},
+        {"--size", "N", "longer edge of a render in pixels " + by_quality(&Defaults::size)},
+        {"--samples", "N", "samples per pixel or estimate " + by_quality(&Defaults::samples)},
         {"--threads", "N", fmt::format("threads to use [all cores: {}]", cores())},
         {"--seed", "N", "start of all random numbers [1]"},
         {"--format", "LIST", "of svg, png, pdf, tex, separated by commas [svg]"}};
-    if (defaults.renders_scene)
+    if (chapter && chapter->renders_scene)
         all.push_back({"--scene", "FILE", "OBJ file: render it instead of the chapter's own scene"});
     return all;
 }
@@ -81,7 +82,7 @@ Options checked(const Values& given, const Defaults& defaults) {
         return found == given.end() ? otherwise : found->second;
     };
     Options o;
-    o.out     = value("--out", "figures");
+    o.out = value("--out", "figures");
     if (o.out.empty()) throw std::invalid_argument("--out : name the folder of the figures");
     o.quality = quality(value("--quality", "lecture"));
     o.size    = whole_number("--size", value("--size", std::to_string(defaults.size.at(o.quality))), 16, 8192,
@@ -158,7 +159,7 @@ void print_help(std::string_view usage, std::string_view about, const std::vecto
 /// The words of a command, as far as its kind of rest allows them.
 void check_rest(const Command& command, const std::vector<CommandOption>& known,
                 const std::vector<std::string>& rest) {
-    if (rest.empty() || command.rest == Rest::everything) return;
+    if (rest.empty()) return;
     if (command.rest == Rest::none || is_option(rest.front())) unknown_word(rest.front(), known);
     if (command.rest == Rest::verbatim) return;
     const auto option = std::find_if(rest.begin(), rest.end(), is_option);
@@ -166,14 +167,17 @@ void check_rest(const Command& command, const std::vector<CommandOption>& known,
 }
 
 int run_command(int argc, const char* const* argv, std::string_view program, const Command& command) {
-    std::vector<CommandOption>       known  = command.options;
-    const std::vector<CommandOption> shared = command.takes_shared ? shared_options({}) : decltype(known){};
+    std::vector<CommandOption>       known = command.options;
+    const std::vector<CommandOption> shared =
+        command.takes_shared ? shared_options(std::nullopt) : decltype(known){};
     known.insert(known.end(), shared.begin(), shared.end());
 
     const Parts parts = take_apart(argc, argv, known, command.rest == Rest::verbatim);
     if (parts.help) {
-        const std::string rest = command.rest_name.empty() ? "" : " " + command.rest_name;
-        print_help(fmt::format("{} {}{} [options]", program, command.name, rest), command.help, known);
+        std::string usage = fmt::format("{} {}", program, command.name);
+        if (!command.rest_name.empty()) usage += " " + command.rest_name;
+        if (!known.empty()) usage += " [option...]";
+        print_help(usage, command.help, known);
         return 0;
     }
     check_rest(command, known, parts.rest);
@@ -200,7 +204,7 @@ Parsed parse_options(int argc, const char* const* argv, std::string_view name, s
     try {
         const Parts parts = take_apart(argc, argv, known, false);
         if (parts.help) {
-            print_help(fmt::format("{} [options]", name), fmt::format("{}: {}", name, title), known);
+            print_help(fmt::format("{} [option...]", name), fmt::format("{}: {}", name, title), known);
             return {};
         }
         if (!parts.rest.empty()) unknown_word(parts.rest.front(), known);
@@ -219,15 +223,11 @@ std::optional<std::string> Arguments::value(std::string_view name) const {
     return found == given.end() ? std::nullopt : std::optional{found->second};
 }
 
-int dispatch(int argc, const char* const* argv, std::string_view program, std::string_view about,
+int dispatch(int argc, const char* const* argv, std::string_view program, std::string_view help,
              const std::vector<Command>& commands) try {
     const std::string name = argc > 1 ? argv[1] : "--help";
-    if (name == "--help" || name == "-h") {
-        Rows rows{{"command", "what it does"}};
-        for (const Command& command : commands)
-            rows.add({command.name + " " + command.rest_name, command.help});
-        fmt::print("{}\n\nusage: {} COMMAND [options]\n\n{}\n{} COMMAND --help tells more.\n", about, program,
-                   to_text(rows), program);
+    if (name == "--help" || name == "-h" || name == "help") {
+        fmt::print("{}", help);
         return 0;
     }
     std::vector<std::string> names;

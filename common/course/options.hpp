@@ -58,10 +58,9 @@ struct Parsed {
 
 /// What a command does with the words that follow it and are not its options.
 enum class Rest {
-    none,        ///< there are none: any word is an error
-    words,       ///< words such as chapter names; an unknown option is an error
-    everything,  ///< words and unknown options, in the order given: `test -R camera`
-    verbatim,    ///< from the first word on everything belongs to another program: `run 01 --help`
+    none,      ///< there are none: any word is an error
+    words,     ///< words such as chapter names; an unknown option is an error
+    verbatim,  ///< from the first word on everything belongs to another program: `run 01 --help`
 };
 
 /// An option of one command. `{"--csv", "FILE", "write the rows to FILE"}` takes a value,
@@ -88,18 +87,18 @@ struct Arguments {
 ///      .options = {{"--publish", "", "copy them to docs/pictures"}}, .takes_shared = true, .run = figures}
 struct Command {
     std::string                          name;
-    std::string                          help;  ///< one line
+    std::string                          help;  ///< what its --help says first
     Rest                                 rest         = Rest::none;
-    std::string                          rest_name    = {};  ///< as --help shows it: "NN"
+    std::string                          rest_name    = {};  ///< as --help shows it: "[NN...]"
     std::vector<CommandOption>           options      = {};
     bool                                 takes_shared = false;  ///< --size ... are checked here, to pass on
     std::function<int(const Arguments&)> run;
 };
 
-/// Parses, calls the command and returns its exit code. No command: the list of them, exit code 0. What is
-/// not known gets one line on stderr with the nearest that is, and exit code 2; so does an exception of the
+/// Parses, calls the command and returns its exit code. No command, `help` or `--help`: `help`, exit code 0. What
+/// is not known gets one line on stderr with the nearest that is, and exit code 2; so does an exception of the
 /// command: `course: error: ...`.
-[[nodiscard]] int dispatch(int argc, const char* const* argv, std::string_view program,
-                           std::string_view about, const std::vector<Command>& commands);
+[[nodiscard]] int dispatch(int argc, const char* const* argv, std::string_view program, std::string_view help,
+                           const std::vector<Command>& commands);
 
 }  // namespace sr::course

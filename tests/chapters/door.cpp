@@ -28,20 +28,31 @@ void check_refused(const std::string& arguments, const std::string& named) {
     CHECK(ended.out == "");
 }
 
+constexpr const char* commands[] = {"figures", "run", "test", "bench", "docs", "list", "doctor"};
+
+/// The launcher where there is neither a compiler nor CMake.
+Ended run_bare(const Scratch& scratch, const std::string& shell, const std::string& arguments) {
+    return run_shell(scratch.path,
+                     "mkdir -p bin; for program in bash sh readlink dirname dpkg-query apt-get; do "
+                     "ln -sf \"$(command -v $program)\" bin/ || true; done; "
+                     "ln -sf '" +
+                         (source_folder / "course").string() +
+                         "' link; STERADIAN_NO_INSTALL=1 PATH=$PWD/bin " + shell + " ./link " + arguments);
+}
+
 }  // namespace
 
 TEST_CASE("course without a command lists the commands") {
-    for (const char* const arguments : {"", "--help"}) {
+    for (const char* const arguments : {"", "--help", "-h", "help"}) {
         const Ended ended = run_course(arguments);
         CHECK(ended.code == 0);
         CHECK(ended.err == "");
-        for (const char* const command : {"figures", "run", "test", "bench", "docs", "list", "doctor"})
-            CHECK(contains(ended.out, command));
+        for (const char* const command : commands) CHECK(contains(ended.out, std::string("\n  ") + command));
     }
 }
 
 TEST_CASE("each command has its help") {
-    for (const char* const command : {"figures", "run", "test", "bench", "docs", "list", "doctor"}) {
+    for (const char* const command : commands) {
         const Ended ended = run_course(std::string(command) + " --help");
         CHECK(ended.code == 0);
         CHECK(ended.err == "");
@@ -58,6 +69,10 @@ TEST_CASE("what is mistyped is refused in one line") {
     check_refused("run 77", "77");
     check_refused("run", "which");
     check_refused("bench nonsense", "nonsense");
+    check_refused("bench --csv x", "topic");
+    check_refused("bench rays door", "one topic");
+    check_refused("test --foo", "--foo");
+    check_refused("figures --out ''", "--out");
 }
 
 TEST_CASE("list names the chapters, bench the topics") {
@@ -105,23 +120,36 @@ TEST_CASE("Ctrl-C ends a chapter with 130 and leaves no part of a file") {
         CHECK_FALSE(entry.path().filename().string().starts_with('.'));
 }
 
-TEST_CASE("where no compiler is, the launcher's doctor tells how to get it, also through a link") {
+TEST_CASE("where no compiler is, the launcher helps, lists, and tells in one command how to get one") {
     const Scratch scratch;
-    fs::create_directory(scratch.path / "bin");
-    fs::create_symlink(source_folder / "course", scratch.path / "link");
-    const Ended ended = run_shell(scratch.path,
-                                  "for program in bash readlink dirname dpkg-query apt-get; do "
-                                  "ln -s \"$(command -v $program)\" bin/ || true; done; "
-                                  "PATH=$PWD/bin bash ./link doctor");
-    CAPTURE(ended.err);
-    CHECK(ended.code == 1);
-    CHECK(contains(ended.out, "missing: C++ compiler"));
-    CHECK(contains(ended.out, "missing: CMake"));
-    CHECK(contains(ended.out, "cmake ninja-build"));
+    for (const char* const arguments : {"", "--help", "-h", "help", "list"}) {
+        const Ended bare = run_bare(scratch, "bash", arguments), built = run_course(scratch.path, arguments);
+        CHECK(bare.code == 0);
+        CHECK(bare.err == "");
+        CHECK(bare.out == built.out);
+    }
+    CHECK(contains(run_bare(scratch, "bash", "help").out, "STERADIAN_NO_INSTALL"));
 
-    const Ended refused = run_shell(scratch.path, "STERADIAN_NO_INSTALL=1 PATH=$PWD/bin bash ./link list");
+    const Ended doctor = run_bare(scratch, "bash", "doctor");
+    CHECK(doctor.code == 1);
+    CHECK(contains(doctor.out, "missing: C++ compiler, CMake, Ninja, "));
+    CHECK(contains(doctor.out, "apt-get update && "));
+    CHECK(contains(doctor.out, " cmake ninja-build "));
+
+    const Ended refused = run_bare(scratch, "bash", "run 01");
     CHECK(refused.code == 2);
     CHECK(refused.error_lines() == 1);
+    CHECK(contains(refused.err, "missing: C++ compiler, CMake, Ninja; install "));
+    CHECK(contains(refused.err, "apt-get update && "));
+}
+
+TEST_CASE("the launcher in another shell says that it is for bash") {
+    const Scratch scratch;
+    const Ended   ended = run_bare(scratch, "sh", "list");
+    if (contains(run_shell(scratch.path, "sh -c 'echo $BASH_VERSION'").out, ".")) return;  // sh is bash here
+    CHECK(ended.code == 2);
+    CHECK(ended.error_lines() == 1);
+    CHECK(contains(ended.err, "bash"));
 }
 
 TEST_CASE("vcpkg.json names the packages of packages.csv") {

@@ -95,7 +95,8 @@ TEST_CASE("help names every option with its default") {
     CHECK(ended.code == 0);
     CHECK(ended.err == "");
     for (const char* word : {"--out", "--quality", "--size", "--samples", "--threads", "--seed", "--format",
-                             "[figures]", "[100 draft, 200 lecture, 300 print]", "[all cores"})
+                             "[figures; with course: its own folder figures]",
+                             "[100 draft, 200 lecture, 300 print]", "[all cores"})
         CHECK(ended.out.find(word) != std::string::npos);
 }
 
@@ -114,7 +115,7 @@ Got give(std::vector<const char*> words) {
         return 5;
     };
     words.insert(words.begin(), "course");
-    got.code = dispatch(static_cast<int>(words.size()), words.data(), "course", "About it.",
+    got.code = dispatch(static_cast<int>(words.size()), words.data(), "course", "The commands.\n",
                         {{.name         = "figures",
                           .help         = "h",
                           .rest         = Rest::words,
@@ -125,7 +126,7 @@ Got give(std::vector<const char*> words) {
                          {.name = "run", .help = "h", .rest = Rest::verbatim, .rest_name = "NN", .run = keep},
                          {.name      = "bench",
                           .help      = "h",
-                          .rest      = Rest::everything,
+                          .rest      = Rest::words,
                           .rest_name = "TOPIC",
                           .options   = {{"--csv", "FILE", "c"}},
                           .run       = keep},
@@ -148,8 +149,8 @@ TEST_CASE("commands get their words, their options and the shared ones") {
     CHECK(give({"run", "01", "--help", "--foo", "-x", "3"}).arguments.rest ==
           Words{"01", "--help", "--foo", "-x", "3"});
 
-    const Got bench = give({"bench", "rays", "--csv", "a.csv", "-R", "x", "--repeats=3"});
-    CHECK(bench.arguments.rest == Words{"rays", "-R", "x", "--repeats=3"});
+    const Got bench = give({"bench", "rays", "--csv", "a.csv"});
+    CHECK(bench.arguments.rest == Words{"rays"});
     CHECK(bench.arguments.value("--csv") == "a.csv");
     CHECK(give({"bench"}).arguments.value("--csv") == std::nullopt);
 }
@@ -162,6 +163,7 @@ TEST_CASE("a mistaken command is told in one line with exit code 2") {
                  {{"figures", "--size", "0"}, "--size 0: the image's edge must be 16 to 8192 pixels"},
                  {{"figures", "--pubish"}, "--pubish: unknown option; did you mean --publish?; see --help"},
                  {{"run", "--size", "3"}, "--size: unknown option; see --help"},
+                 {{"bench", "rays", "--foo"}, "--foo: unknown option; see --help"},
                  {{"docs", "now"}, "now: unknown word; see --help"},
                  {{"bench", "--csv"}, "--csv: FILE must follow"}};
     for (const auto& c : cases) {
@@ -171,14 +173,18 @@ TEST_CASE("a mistaken command is told in one line with exit code 2") {
     }
 }
 
-TEST_CASE("without a command, and with --help, the commands are listed") {
-    for (const auto& words : {std::vector<const char*>{}, {"--help"}}) {
+TEST_CASE("without a command, and with --help, the help is shown") {
+    for (const auto& words : {std::vector<const char*>{}, {"--help"}, {"-h"}, {"help"}}) {
         const Ended ended = in_child([&] { return give(words).code; });
         CHECK(ended.code == 0);
-        for (const char* name : {"figures", "run", "bench", "docs"})
-            CHECK(ended.out.find(name) != std::string::npos);
+        CHECK(ended.out == "The commands.\n");
     }
-    const Ended ended = in_child([] { return give({"bench", "--help"}).code; });
-    CHECK(ended.code == 0);
-    CHECK(ended.out.find("--csv FILE") != std::string::npos);
+    const Ended bench = in_child([] { return give({"bench", "--help"}).code; });
+    CHECK(bench.code == 0);
+    CHECK(bench.out.starts_with("h\n\nusage: course bench TOPIC [option...]\n"));
+    CHECK(bench.out.find("--csv FILE") != std::string::npos);
+    const Ended run = in_child([] { return give({"run", "--help"}).code; });
+    CHECK(run.out.starts_with("h\n\nusage: course run NN\n"));
+    const Ended figures = in_child([] { return give({"figures", "--help"}).code; });
+    CHECK(figures.out.find("pixels [the chapter's]") != std::string::npos);
 }
