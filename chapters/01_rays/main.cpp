@@ -37,7 +37,7 @@ void pinhole(course::Chapter& chapter) {
         "The ray through a pixel starts in the pinhole $\\mathbf{o}$ and has its direction's end, $t = 1$, "
         "in the image plane.");
 
-    const auto camera = published_camera(chapter.options().size);
+    const auto camera = cornell_box_camera(chapter.options().size);
     const auto corner = camera.ray({0, 0}).direction;
     for (const auto& [which, aside] :
          {std::pair{"from left to right", corner.x}, {"from top to bottom", corner.y}}) {

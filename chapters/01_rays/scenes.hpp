@@ -21,13 +21,8 @@ struct Shot {
     Camera<double> camera;
 };
 
-[[nodiscard]] inline Camera<double> published_camera(int side) {
-    using namespace cornell_camera;
-    return pinhole_camera(position, direction, up, focal_length, film_side, side, side);
-}
-
 [[nodiscard]] inline Shot cornell_shot(int side) {
-    return {cornell_box(), published_camera(side)};
+    return {cornell_box(), cornell_box_camera(side)};
 }
 
 [[nodiscard]] inline Scene teapot_scene(int level) {

@@ -3,7 +3,7 @@
 /// The Cornell box: a real box of plywood and paint, measured in millimetres so that a render could be held
 /// against a photograph. The data are those of the Cornell University Program of Computer Graphics.
 
-#include "math/vector.hpp"
+#include "scene/camera.hpp"
 #include "scene/scene.hpp"
 
 namespace sr {
@@ -13,14 +13,14 @@ namespace sr {
 /// @throws std::runtime_error when the file of its data can't be read
 [[nodiscard]] Scene cornell_box();
 
-/// The published camera. Focal length and film side are lengths in another unit than the box: only their
-/// ratio matters to a pinhole.
+/// The published lens and film, lengths in another unit than the box: only their ratio matters to a pinhole.
 namespace cornell_camera {
-inline constexpr Vector3<double> position{278, 273, -800};  ///< [mm]
-inline constexpr Vector3<double> direction{0, 0, 1};
-inline constexpr Vector3<double> up{0, 1, 0};
-inline constexpr double          focal_length = 0.035;
-inline constexpr double          film_side    = 0.025;  ///< width and height
+inline constexpr double focal_length = 0.035;
+inline constexpr double film_side    = 0.025;  ///< width and height
 }  // namespace cornell_camera
+
+/// The published camera, which sees the box through its open side.
+/// @param side  of the square image [pixel]
+[[nodiscard]] Camera<double> cornell_box_camera(int side);
 
 }  // namespace sr

@@ -22,8 +22,7 @@ struct View {
 };
 
 View cornell(int side) {
-    using namespace cornell_camera;
-    return {cornell_box().mesh, pinhole_camera(position, direction, up, focal_length, film_side, side, side)};
+    return {cornell_box().mesh, cornell_box_camera(side)};
 }
 
 View pot(int level, Vector3<double> eye) {
