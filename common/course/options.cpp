@@ -7,6 +7,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <stdexcept>
 #include <thread>
 
@@ -55,6 +56,14 @@ Integer whole_number(const std::string& option, const std::string& text, Integer
     return number;
 }
 
+void check_square(int samples) {
+    const int side = static_cast<int>(std::sqrt(samples));
+    if (side * side != samples)
+        throw std::invalid_argument(
+            fmt::format("--samples {}: a pixel's samples form a square here; the nearest are {} and {}",
+                        samples, side * side, (side + 1) * (side + 1)));
+}
+
 Quality quality(const std::string& text) {
     if (text == "draft") return Quality::draft;
     if (text == "lecture") return Quality::lecture;
@@ -89,6 +98,7 @@ Options checked(const Values& given, const Defaults& defaults) {
                              "the image's edge must be 16 to 8192 pixels");
     o.samples = whole_number("--samples", value("--samples", std::to_string(defaults.samples.at(o.quality))),
                              1, 1'000'000, "the number of samples must be 1 to 1000000");
+    if (defaults.square_samples) check_square(o.samples);
     o.threads = whole_number("--threads", value("--threads", std::to_string(cores())), 1, 1024,
                              "the number of threads must be 1 to 1024");
     o.seed    = whole_number("--seed", value("--seed", "1"), std::uint64_t{0}, ~std::uint64_t{0},

@@ -28,9 +28,10 @@ struct ByQuality {
 
 /// What a chapter states about its own options.
 struct Defaults {
-    ByQuality size          = {.draft = 128, .lecture = 512, .print = 1024};
-    ByQuality samples       = {.draft = 16, .lecture = 64, .print = 256};
-    bool      renders_scene = false;  ///< the program then takes --scene FILE.obj
+    ByQuality size           = {.draft = 128, .lecture = 512, .print = 1024};
+    ByQuality samples        = {.draft = 16, .lecture = 64, .print = 256};
+    bool      renders_scene  = false;  ///< the program then takes --scene FILE.obj
+    bool      square_samples = false;  ///< a pixel's samples form a square: 1, 4, 9, ...
 };
 
 /// What the person asked for, complete and checked.

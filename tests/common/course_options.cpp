@@ -86,6 +86,20 @@ TEST_CASE("what is wrong is told in one line with exit code 2") {
     }
 }
 
+TEST_CASE("samples that form a square are counted by squares") {
+    const Defaults square{.square_samples = true};
+    for (const char* const samples : {"1", "4", "999999"})
+        CHECK(parse({"--samples", samples}).options.value().samples >= 1);
+    for (const char* const samples : {"1", "4", "1000000"})
+        CHECK(parse({"--samples", samples}, square).options.has_value());
+    CHECK(told({"--samples", "3"}, square).err ==
+          "01_rays: error: --samples 3: a pixel's samples form a square here; the nearest are 1 and 4\n");
+    CHECK(
+        told({"--samples", "999999"}, square).err ==
+        "01_rays: error: --samples 999999: a pixel's samples form a square here; the nearest are 998001 and "
+        "1000000\n");
+}
+
 TEST_CASE("a scene is an option where a chapter renders one") {
     CHECK(parse({"--scene", "x.obj"}, {.renders_scene = true}).options.value().scene == "x.obj");
 }
