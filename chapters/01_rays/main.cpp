@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -78,6 +79,9 @@ void render(course::Chapter& chapter, const std::string& name, const Shot& shot)
                            : Look{});
         }
     });
+
+    if (std::none_of(looks.pixels().begin(), looks.pixels().end(), is_something))
+        chapter.note(name + ": no ray hits anything, its pictures are blank");
 
     const auto show = [&](const std::string& suffix, Spectrum Look::*way, const std::string& caption) {
         Image<Spectrum> film(camera.width, camera.height);

@@ -26,6 +26,11 @@ struct Look {
     }
 };
 
+/// Whether a ray of the pixel met a surface: its depth is not black.
+[[nodiscard]] inline bool is_something(const Look& pixel) {
+    return pixel.depth.r > 0;
+}
+
 /// The least and the largest t that is seen.
 [[nodiscard]] inline Interval<float> depth_range(const VisibilityImage<float>& visible) {
     Interval<float> range{in_front<float>.max, 0};

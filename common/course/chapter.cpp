@@ -94,6 +94,11 @@ void Chapter::say(const Rows& table) {
     std::fflush(stdout);
 }
 
+void Chapter::note(std::string_view line) {
+    std::fflush(stdout);
+    fmt::print(stderr, "{}: {}\n", name_, line);
+}
+
 Chart Chapter::chart(std::string name, std::string title, Axes axes) {
     take_name(name);
     return charts_.emplace_back(std::move(name), std::move(title), std::move(axes));

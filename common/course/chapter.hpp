@@ -41,6 +41,9 @@ public:
     void say(std::string_view line);         ///< a fact that is no claim, such as a time
     void say(const Rows& table);             ///< a small table, aligned
 
+    /// One line on stderr of what is no error, but perhaps not what the person wanted: "01_rays: ...".
+    void note(std::string_view line);
+
     /// A chart or diagram to fill; written when the chapter ends.
     [[nodiscard]] Chart   chart(std::string name, std::string title, Axes axes);
     [[nodiscard]] Diagram diagram(std::string name, std::string title);

@@ -93,12 +93,22 @@ TEST_CASE(
     }
 }
 
+TEST_CASE("chapter 1: a scene of which nothing is seen is rendered, and said to be blank") {
+    const Scratch scratch;
+    std::ofstream(scratch.path / "specks.obj") << "v 0 0 0\nv 1e-6 0 0\nv 0 1e-6 0\nf 1 2 3\n"
+                                                  "v 1 1 1\nv 1.000001 1 1\nv 1 1.000001 1\nf 4 5 6\n";
+    const Ended ended = run_rays(scratch.path, "--quality draft --size 32 --scene specks.obj");
+    CHECK(ended.code == 0);
+    CHECK(ended.err == "01_rays: scene: no ray hits anything, its pictures are blank\n");
+    CHECK(fs::exists(scratch.path / "figures" / "01_rays" / "scene_depth.png"));
+}
+
 TEST_CASE("chapter 1: sizes, options and folders that can't be are one line on stderr and exit code 2") {
     const Scratch scratch;
     std::ofstream(scratch.path / "file") << "in the way";
-    for (const std::string arguments :
-         {"--size 0", "--size 100000", "--size -5", "--size many", "--sise 64", "--out file",
-          "--out /proc/figures", "--quality best", "--threads 0", "--samples 0", "--format gif"}) {
+    for (const std::string arguments : {"--size 0", "--size 100000", "--size -5", "--size many", "--sise 64",
+                                        "--out file", "--out /proc/figures", "--quality best", "--threads 0",
+                                        "--samples 0", "--samples 3", "--format gif"}) {
         INFO(arguments);
         const Ended ended = run_rays(scratch.path, arguments);
         CHECK(ended.code == 2);
