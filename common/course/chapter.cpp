@@ -73,6 +73,22 @@ void print_claims(const std::vector<Claim>& claims) {
                    emphasise(fmt::format("{} of {} claims failed", failed, claims.size()), Emphasis::bad));
 }
 
+std::string counted(std::ptrdiff_t number, std::string_view what) {
+    return fmt::format("{} {}{}", number, what, number == 1 ? "" : "s");
+}
+
+/// Says what there is, and where: charts without gnuplot are data and no more.
+void print_closing(const std::vector<Figure>& figures, const fs::path& folder, const fs::path& index) {
+    const auto undrawn =
+        std::count_if(figures.begin(), figures.end(), [](const Figure& f) { return f.files.size() < 2; });
+    const auto  drawn = std::ssize(figures) - undrawn;
+    std::string what  = counted(drawn, undrawn == 0 ? "figure" : "render");
+    if (undrawn != 0) what += " and the data of " + counted(undrawn, "chart");
+    fmt::print("\n{} in {}, all of them in {}\n", what, folder.string(), index.string());
+    if (undrawn != 0)
+        fmt::print("gnuplot was not found: install it for the charts; `./course doctor` says how\n");
+}
+
 }  // namespace
 
 Chapter::Chapter(std::string name, Options options) : name_{std::move(name)}, options_{std::move(options)} {
@@ -142,18 +158,12 @@ bool Chapter::finish() {
                                             return diagram_script(data, csv, format);
                                         })});
     }
-    const bool undrawn =
-        std::any_of(figures_.begin(), figures_.end(), [](const Figure& f) { return f.files.size() < 2; });
-    if (undrawn)
-        say("gnuplot was not found: the data are written without pictures; `./course doctor` says how to get "
-            "it");
-
     write_csv(folder() / "claims.csv", to_rows(claims_));
+    remove_outdated(folder(), figures_);
     write_captions(folder(), figures_);
     write_index(options_.out);
     print_claims(claims_);
-    fmt::print("\n{} figures in {}, all of them in {}\n", figures_.size(), folder().string(),
-               (options_.out / "index.html").string());
+    print_closing(figures_, folder(), options_.out / "index.html");
     return std::all_of(claims_.begin(), claims_.end(), [](const Claim& claim) { return claim.pass(); });
 }
 

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <exception>
 
 #include "course/csv.hpp"
 #include "course/tex.hpp"
@@ -112,6 +113,13 @@ std::vector<Figure> read_captions(const fs::path& csv) {
     return figures;
 }
 
+/// What an earlier run listed; nothing where that can't be read, as the list is about to be replaced.
+std::vector<Figure> listed_before(const fs::path& csv) try {
+    return fs::exists(csv) ? read_captions(csv) : std::vector<Figure>{};
+} catch (const std::exception&) {
+    return {};
+}
+
 /// "01_rays" is "01 rays" to a person.
 std::string heading(std::string chapter) {
     std::replace(chapter.begin(), chapter.end(), '_', ' ');
@@ -119,6 +127,17 @@ std::string heading(std::string chapter) {
 }
 
 }  // namespace
+
+void remove_outdated(const fs::path& chapter, const std::vector<Figure>& figures) {
+    for (const Figure& old : listed_before(chapter / captions_file)) {
+        const auto remade = std::find_if(figures.begin(), figures.end(),
+                                         [&](const Figure& figure) { return figure.name == old.name; });
+        if (remade == figures.end()) continue;
+        for (const std::string& file : old.files)
+            if (std::find(remade->files.begin(), remade->files.end(), file) == remade->files.end())
+                fs::remove(chapter / file);
+    }
+}
 
 void write_captions(const fs::path& chapter, const std::vector<Figure>& figures) {
     Rows table{{"figure", "kind", "title", "caption", "files"}};

@@ -79,9 +79,27 @@ TEST_CASE("without gnuplot the data are written and one sentence says so") {
     const Ended ended = run_program(out.path, small_chapter);
     ::unsetenv("STERADIAN_GNUPLOT");
     CHECK(ended.code == 0);
-    CHECK(contains(ended.out, "gnuplot was not found"));
+    CHECK(contains(ended.out, "\n1 render and the data of 2 charts in "));
+    CHECK(contains(ended.out, "gnuplot was not found: install it"));
     CHECK(std::filesystem::exists(out.path / "99_demo" / "line.csv"));
     CHECK(!std::filesystem::exists(out.path / "99_demo" / "line.svg"));
+}
+
+TEST_CASE("a figure that is remade in one format leaves no older one of another, but what a person made") {
+    const ScratchFolder out{"chapter_formats"};
+    const auto          folder = out.path / "99_demo";
+    CHECK(run_program(out.path, small_chapter, {"--format", "svg,tex"}).code == 0);
+    const bool drawn = std::filesystem::exists(folder / "line.tex");  // where gnuplot is
+    std::ofstream{folder / "line.pdf"} << "my own";
+    CHECK(run_program(out.path, small_chapter, {"--format", "svg"}).code == 0);
+    CHECK(std::filesystem::exists(folder / "line.svg") == drawn);
+    CHECK(!std::filesystem::exists(folder / "line.tex"));
+    CHECK(read_text(folder / "line.pdf") == "my own");
+    CHECK(std::filesystem::exists(folder / "grey.hdr"));
+    CHECK(!contains(read_text(out.path / "index.html"), "line.tex"));
+
+    std::ofstream{folder / "captions.csv"} << "damaged\n1,2\n";
+    CHECK(run_program(out.path, small_chapter).code == 0);
 }
 
 TEST_CASE("a claim that fails, NaN too, makes the program exit with 1") {
