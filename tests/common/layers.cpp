@@ -1,5 +1,5 @@
 /// @file layers.cpp
-/// The arrows between the folders of common/ run one way.
+/// The arrows between the folders of common/ run one way, and no chapter leans on another.
 
 #include <doctest/doctest.h>
 
@@ -20,27 +20,20 @@ using Includes = std::vector<std::string>;
 
 const fs::path common = fs::path(STERADIAN_SOURCE_DIR) / "common";
 
-/// What a folder may include beside itself; what those may include it may, too.
+/// What a folder may include beside itself and math.
 const std::map<std::string, Names> arrows = {
     {"math", {}},
-    {"statistics", {"math"}},
-    {"sampling", {"math"}},
-    {"geometry", {"math"}},
-    {"radiometry", {"math", "geometry"}},
+    {"statistics", {}},
+    {"sampling", {}},
+    {"geometry", {}},
+    {"radiometry", {"geometry"}},
     {"material", {"sampling", "radiometry"}},
-    {"image", {"math", "radiometry"}},
-    {"scene", {"math", "sampling", "geometry", "radiometry", "material", "image"}},
-    {"radiosity", {"scene"}},
-    {"transport", {"scene", "image"}},
-    {"course", {"image", "statistics"}},
+    {"image", {"radiometry"}},
+    {"scene", {"sampling", "geometry", "radiometry", "material", "image"}},
+    {"radiosity", {"sampling", "geometry", "radiometry", "material", "image", "scene"}},
+    {"transport", {"sampling", "geometry", "radiometry", "material", "image", "scene"}},
+    {"course", {"image", "radiometry", "statistics"}},  // radiometry: an image's pixels are spectra
 };
-
-/// All folders that `folder` reaches along the arrows, itself among them.
-Names reach(const std::string& folder) {
-    Names reached = {folder};
-    for (const std::string& next : arrows.at(folder)) reached.merge(reach(next));
-    return reached;
-}
 
 /// The files that a text includes in quotes, or in angle brackets.
 Includes includes(const std::string& text, char open = '"', char close = '"') {
@@ -59,10 +52,20 @@ Includes includes(const std::string& text, char open = '"', char close = '"') {
 
 /// The includes of a file in `folder` that no arrow allows.
 Includes against_the_arrows(const std::string& folder, const std::string& text) {
-    const Names reached = reach(folder);
-    Includes    wrong   = includes(text);
-    std::erase_if(wrong,
-                  [&](const std::string& file) { return reached.contains(file.substr(0, file.find('/'))); });
+    Includes wrong = includes(text);
+    std::erase_if(wrong, [&](const std::string& file) {
+        const std::string other = file.substr(0, file.find('/'));
+        return other == folder || other == "math" || arrows.at(folder).contains(other);
+    });
+    return wrong;
+}
+
+/// The includes of a chapter's file that are neither in common/ nor in the chapter.
+Includes from_elsewhere(const fs::path& chapter, const std::string& text) {
+    Includes wrong = includes(text);
+    std::erase_if(wrong, [&](const std::string& file) {
+        return !file.starts_with("..") && (fs::exists(common / file) || fs::exists(chapter / file));
+    });
     return wrong;
 }
 
@@ -81,7 +84,7 @@ std::vector<fs::path> sources(const fs::path& folder) {
 
 }  // namespace
 
-TEST_CASE("each folder includes only what its arrows reach") {
+TEST_CASE("each folder includes only what its arrows point to") {
     int seen = 0;
     for (const auto& entry : fs::directory_iterator(common)) {
         if (!entry.is_directory()) continue;
@@ -105,11 +108,31 @@ TEST_CASE("an include against an arrow is found") {
     CHECK(against_the_arrows("geometry", "#include \"math/frame.hpp\"\n") == Includes{});
     CHECK(against_the_arrows("geometry", "// below\n#include \"scene/scene.hpp\"\n") ==
           Includes{"scene/scene.hpp"});
+    CHECK(against_the_arrows("image", "#include \"geometry/mesh.hpp\"\n") == Includes{"geometry/mesh.hpp"});
     CHECK(against_the_arrows("scene", " # include \"statistics/running.hpp\"") ==
           Includes{"statistics/running.hpp"});
     CHECK(against_the_arrows("transport", "#include \"course/chart.hpp\"\n") == Includes{"course/chart.hpp"});
+    CHECK(against_the_arrows("course", "#include \"geometry/box.hpp\"\n") == Includes{"geometry/box.hpp"});
     CHECK(against_the_arrows("radiosity", "#include \"transport/tiles.hpp\"\n") ==
           Includes{"transport/tiles.hpp"});
+}
+
+TEST_CASE("a chapter includes only common/ and its own files") {
+    int seen = 0;
+    for (const auto& entry : fs::directory_iterator(fs::path(STERADIAN_SOURCE_DIR) / "chapters")) {
+        if (!entry.is_directory()) continue;
+        for (const fs::path& file : sources(entry.path())) {
+            INFO(file.string());
+            CHECK(from_elsewhere(entry.path(), read_text(file)) == Includes{});
+            ++seen;
+        }
+    }
+    CHECK(seen >= 1);
+
+    const fs::path chapter = fs::path(STERADIAN_SOURCE_DIR) / "chapters" / "01_rays";
+    CHECK(from_elsewhere(chapter, "#include \"scenes.hpp\"\n#include \"math/frame.hpp\"\n") == Includes{});
+    for (const std::string file : {"../01_rays/scenes.hpp", "tests/common/child.hpp", "run_course.hpp"})
+        CHECK(from_elsewhere(chapter, "#include \"" + file + "\"\n") == Includes{file});
 }
 
 TEST_CASE("the option parser, slow to compile, is included once") {
