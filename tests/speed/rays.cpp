@@ -1,14 +1,15 @@
 /// @file rays.cpp
 /// Rays per second on the teapot: primary, diffuse bounce and shadow, one thread.
 ///
-/// `wrong` counts the rays, of those that brute force had the time for, whose answer differs from brute
-/// force's in any bit. `leaks` counts lost rays among those aimed at vertices that look at the ray's origin.
+/// `wrong` counts the rays, of those that brute force had the time for, whose answer to the question that is
+/// timed differs from brute force's: in any bit of the nearest hit, or in whether there is one. `leaks` counts
+/// lost rays among those aimed at vertices that look at the ray's origin.
 
-#include <cmath>
+#include <algorithm>
 #include <cstdint>
 #include <map>
-#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "course/bench.hpp"
@@ -30,11 +31,15 @@ constexpr double brute_force_tests = 1e8;  // ray-triangle tests for each set of
 constexpr int    vertex_aimed_rays = 1'000'000;
 constexpr Vec3   light{-3, -5, 9};
 
+// A shadow ray ends, at t = 1, in the light: what lies there shadows nothing.
+constexpr Interval<float> before_the_light{0, 0.9999F};
+
 /// Rays of one kind, and whether the question is "what first?" or "anything?".
 struct RaySet {
     std::string             name;
     std::vector<Ray<float>> rays;
     std::vector<Vec3>       origins_of_aimed;  ///< where vertex-aimed rays of this kind start from
+    Interval<float>         range   = in_front<float>;
     bool                    any_hit = false;
 };
 
@@ -52,7 +57,7 @@ std::vector<RaySet> ray_sets(const Mesh<float>& mesh, const Hierarchy<float>& hi
     const auto            camera = convert<float>(
         pinhole_camera<double>(eye, target - eye, {0, 0, 1}, 1.0, 0.82, image_side, image_side));
     RaySet primary{"primary", {}, {camera.position}}, diffuse{"diffuse", {}, {}},
-        shadow{"shadow", {}, {light}, true};
+        shadow{"shadow", {}, {light}, before_the_light, true};
     for (int y = 0; y < image_side; ++y) {
         for (int x = 0; x < image_side; ++x) {
             const auto ray = camera.ray_through_pixel(x, y);
@@ -108,18 +113,35 @@ private:
     std::vector<bool>                       open_;
 };
 
+/// A teapot, and all that is asked about it.
+struct Pot {
+    explicit Pot(int level) : mesh(convert<float>(teapot(level))), all(mesh), hierarchy(mesh), fans(mesh) {}
+
+    Mesh<float>       mesh;
+    BruteForce<float> all;
+    Hierarchy<float>  hierarchy;
+    Fans              fans;
+};
+
+bool answers_differ(const Pot& pot, const RaySet& set, const Ray<float>& ray) {
+    const auto expected = pot.all.nearest(ray, set.range);
+    return set.any_hit ? pot.hierarchy.occluded(ray, set.range) != expected.has_value()
+                       : pot.hierarchy.nearest(ray, set.range) != expected;
+}
+
 template <class Surfaces>
-int leaks(const Surfaces& surfaces, const Mesh<float>& mesh, const Fans& fans, const RaySet& set, int rays) {
-    int lost = 0;
-    Rng rng{2, 0, 0, 0};
+int leaks(const Surfaces& surfaces, const Pot& pot, const RaySet& set, int rays) {
+    const auto& vertices = pot.mesh.vertices;
+    int         lost     = 0;
+    Rng         rng{2, 0, 0, 0};
     for (int aimed = 0; aimed < rays;) {
-        const auto vertex = static_cast<std::uint32_t>(rng.uniform<double>() * double(mesh.vertices.size()));
+        const auto vertex = static_cast<std::uint32_t>(rng.uniform<double>() * double(vertices.size()));
         const auto from =
             static_cast<std::size_t>(rng.uniform<double>() * double(set.origins_of_aimed.size()));
         const Vec3 origin = set.origins_of_aimed[from];
-        if (!fans.faces_point(vertex, origin)) continue;
+        if (!pot.fans.faces_point(vertex, origin)) continue;
         ++aimed;
-        lost += hits(surfaces, {origin, mesh.vertices[vertex] - origin}, {0, 1.0001F}, set.any_hit) ? 0 : 1;
+        lost += hits(surfaces, {origin, vertices[vertex] - origin}, {0, 1.0001F}, set.any_hit) ? 0 : 1;
     }
     return lost;
 }
@@ -132,37 +154,31 @@ std::vector<Ray<float>> subset(const RaySet& set, std::size_t triangles) {
     return result;
 }
 
-void bench(int level, course::Rows& rows, course::Progress& progress) {
-    const auto              mesh = convert<float>(teapot(level));
-    const Hierarchy<float>  hierarchy(mesh);
-    const BruteForce<float> all(mesh);
-    const Fans              fans(mesh);
-    for (const RaySet& set : ray_sets(mesh, hierarchy)) {
-        const auto    some    = subset(set, mesh.faces.size());
-        std::uint64_t hit     = 0;  // keeps the work from being optimised away
-        const auto    timings = course::measure({{"brute force",
-                                                  [&] {
-                                                   for (const auto& ray : some)
-                                                       hit += hits(all, ray, in_front<float>, set.any_hit);
-                                               }},
-                                                 {"binary hierarchy",
-                                                  [&] {
-                                                   for (const auto& ray : set.rays)
-                                                       hit +=
-                                                           hits(hierarchy, ray, in_front<float>, set.any_hit);
-                                               }}},
-                                                repeats);
-        int           wrong   = 0;
-        for (const auto& ray : some) wrong += all.nearest(ray) == hierarchy.nearest(ray) ? 0 : 1;
-        const int lost[] = {leaks(all, mesh, fans, set, static_cast<int>(some.size())),
-                            leaks(hierarchy, mesh, fans, set, vertex_aimed_rays)};
-        for (std::size_t i = 0; i < 2; ++i) {
-            const double millions = double(i == 0 ? some.size() : set.rays.size()) / 1e6;
-            rows.add({"teapot", mesh.faces.size(), set.name, timings[i].name, millions / timings[i].median,
-                      millions / timings[i].max, millions / timings[i].min, i == 0 ? 0 : wrong,
-                      hit > 0 ? lost[i] : -1});
-        }
+/// What a set of rays tells the progress: each repeat of each method, then each of two checks.
+constexpr int steps = 2 * repeats + 2;
+
+void bench(const Pot& pot, const RaySet& set, course::Rows& rows, course::Progress& progress) {
+    const auto    some  = subset(set, pot.mesh.faces.size());
+    std::uint64_t hit   = 0;  // keeps the work from being optimised away
+    const auto    trace = [&](const auto& surfaces, const std::vector<Ray<float>>& rays) {
+        for (const auto& ray : rays) hit += hits(surfaces, ray, set.range, set.any_hit);
         progress.tick();
+    };
+    const auto timings = course::measure({{"brute force", [&] { trace(pot.all, some); }},
+                                          {"binary hierarchy", [&] { trace(pot.hierarchy, set.rays); }}},
+                                         repeats);
+
+    int wrong = 0;
+    for (const auto& ray : some) wrong += answers_differ(pot, set, ray) ? 1 : 0;
+    progress.tick();
+    const int lost[] = {leaks(pot.all, pot, set, static_cast<int>(some.size())),
+                        leaks(pot.hierarchy, pot, set, vertex_aimed_rays)};
+    progress.tick();
+    for (std::size_t i = 0; i < 2; ++i) {
+        const double millions = double(i == 0 ? some.size() : set.rays.size()) / 1e6;
+        rows.add({"teapot", pot.mesh.faces.size(), set.name, timings[i].name, millions / timings[i].median,
+                  millions / timings[i].max, millions / timings[i].min, i == 0 ? 0 : wrong,
+                  hit > 0 ? lost[i] : -1});
     }
 }
 
@@ -174,8 +190,12 @@ int main(int argc, char** argv) {
         argc, argv, "Rays per second on the teapot: primary, diffuse bounce and shadow, one thread.", [] {
             sr::course::Rows rows{
                 {"mesh", "triangles", "rays", "method", "mrays_per_s", "min", "max", "wrong", "leaks"}};
-            sr::course::Progress progress("tracing", 6);
-            for (const int level : {40, 125}) sr::bench(level, rows, progress);
+            sr::course::Progress progress("tracing", 2 * 3 * sr::steps);
+            for (const int level : {40, 125}) {
+                const sr::Pot pot(level);
+                for (const auto& set : sr::ray_sets(pot.mesh, pot.hierarchy))
+                    sr::bench(pot, set, rows, progress);
+            }
             return rows;
         });
 }
