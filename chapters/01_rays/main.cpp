@@ -64,7 +64,7 @@ void render(course::Chapter& chapter, const std::string& name, const Shot& shot)
     const int              threads = chapter.options().threads;
     const auto             depths  = depth_range(trace_primary(hierarchy, camera, {.threads = threads}));
 
-    const int        side  = static_cast<int>(std::sqrt(chapter.options().samples));
+    const int        side  = int(std::sqrt(chapter.options().samples));
     const float      share = 1 / float(side * side);
     Image<Look>      looks(camera.width, camera.height, {{}, {}, {}});
     course::Progress progress("tracing " + name, 1000);
@@ -241,7 +241,7 @@ void which_is_faster(course::Chapter& chapter) {
     const std::vector<int> levels{1, 2, 4, 8, 16, 32, 64, 125};
     std::vector<int>       edges{16};
     while (edges.back() < 2 * side) edges.push_back(2 * edges.back());
-    course::Progress progress("racing", static_cast<std::int64_t>(levels.size() + edges.size()));
+    course::Progress progress("racing", std::int64_t(levels.size() + edges.size()));
     for (const int level : levels) {
         const Race race(level, side);
         add(by_triangles, triangles, race, race.run(repeats, tests, chapter.options().seed),

@@ -41,7 +41,7 @@ public:
     /// it takes about `tests` ray-triangle tests, and scaled to the whole image.
     [[nodiscard]] std::vector<Lap> run(int repeats, double tests, std::uint64_t seed) const {
         const double sampled = std::clamp(tests / double(triangles()), 16.0, double(pixels()));
-        const auto   some    = random_pixels(static_cast<int>(sampled), seed);
+        const auto   some    = random_pixels(int(sampled), seed);
 
         VisibilityImage<float>          raster(1, 1), traced(1, 1), asked(camera_.width, camera_.height);
         std::optional<Hierarchy<float>> hierarchy;
@@ -84,8 +84,8 @@ private:
         std::vector<Pixel> result;
         for (int i = 0; i < count; ++i) {
             Rng       rng{seed, 0, 0, i};
-            const int x = static_cast<int>(rng.uniform() * float(camera_.width));
-            const int y = static_cast<int>(rng.uniform() * float(camera_.height));
+            const int x = int(rng.uniform() * float(camera_.width));
+            const int y = int(rng.uniform() * float(camera_.height));
             result.push_back({x, y});
         }
         return result;

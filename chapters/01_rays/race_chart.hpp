@@ -60,7 +60,7 @@ inline std::string mark_crossing(course::Chart& chart, const Curves& curves, con
                                  const std::string& faster, const std::string& unit) {
     const auto x = crossing(curves.x, curves.seconds.at(slower), curves.seconds.at(faster));
     if (!x) return fmt::format("\"{}\" and \"{}\" do not cross.", slower, faster);
-    const int  exponent = static_cast<int>(std::floor(std::log10(*x)));
+    const int  exponent = int(std::floor(std::log10(*x)));
     const auto number   = fmt::format("${:.1f}\\cdot 10^{{{}}}$", *x / std::pow(10.0, exponent), exponent);
     chart.mark_x(*x, number);
     return fmt::format("\"{}\" takes longer than \"{}\" from {} {} on.", slower, faster, number, unit);

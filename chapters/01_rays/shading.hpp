@@ -53,7 +53,7 @@ struct Look {
     const float grey = 0.03F + 0.87F * nearness * nearness;
     const Vec3  rgb  = (n + 1.0) / 2.0;
     // (1.4) the light is where the eye is: the surface is lit from where it is seen.
-    const auto  cosine = static_cast<float>(-dot(n, d) / length(d));
+    const auto  cosine = float(-dot(n, d) / length(d));
     return {{grey, grey, grey},
             {rgb.x, rgb.y, rgb.z},
             cosine * scene.materials[scene.material_of_face[face]].reflectance};

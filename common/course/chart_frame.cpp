@@ -118,11 +118,9 @@ struct TextBlock {
         for (const std::string& line : lines) width = std::max(width, text_width(line, label_size));
     }
 
-    [[nodiscard]] double height() const {
-        return static_cast<double>(lines.size()) * line_height(label_size);
-    }
-    [[nodiscard]] Box at(Point left) const {
-        return {{left.x, left.y - height() / 2}, {left.x + width, left.y + height() / 2}};
+    [[nodiscard]] double height() const { return double(lines.size()) * line_height(label_size); }
+    [[nodiscard]] Box    at(Point left) const {
+           return {{left.x, left.y - height() / 2}, {left.x + width, left.y + height() / 2}};
     }
     /// @param left  left end and middle of the block
     [[nodiscard]] PlacedLabel placed(Point left, Ink ink) const {
@@ -274,8 +272,8 @@ Frame lay_out(const ChartData& chart, const Curves& all) {
         const std::vector<std::string> lines = wrapped(text, FontSize::small, 0.95 * Canvas::width);
         frame.caption.insert(frame.caption.end(), lines.begin(), lines.end());
     }
-    const double title   = static_cast<double>(frame.title.size()) * line_height(FontSize::title);
-    const double caption = static_cast<double>(frame.caption.size()) * line_height(FontSize::small);
+    const double title   = double(frame.title.size()) * line_height(FontSize::title);
+    const double caption = double(frame.caption.size()) * line_height(FontSize::small);
     frame.canvas.height += caption;
     frame.x = scale_of(x_extent(chart, curves), is_log(chart, axis::x));
     frame.y = scale_of(y_extent(chart, curves), is_log(chart, axis::y));

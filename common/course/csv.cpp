@@ -79,7 +79,7 @@ std::string Cell::text() const {
 double Cell::number() const {
     if (const auto* d = std::get_if<double>(&value_)) return *d;
     if (const auto* f = std::get_if<float>(&value_)) return *f;
-    if (const auto* i = std::get_if<std::int64_t>(&value_)) return static_cast<double>(*i);
+    if (const auto* i = std::get_if<std::int64_t>(&value_)) return double(*i);
     return std::numeric_limits<double>::quiet_NaN();
 }
 
@@ -94,7 +94,7 @@ std::size_t Rows::column(std::string_view name) const {
     const auto found = std::find(header.begin(), header.end(), name);
     if (found == header.end())
         throw std::invalid_argument(fmt::format("no column {}; there are {}", name, fmt::join(header, ", ")));
-    return static_cast<std::size_t>(found - header.begin());
+    return std::size_t(found - header.begin());
 }
 
 std::string to_csv(const Rows& table) {

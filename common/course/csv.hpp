@@ -21,7 +21,7 @@ public:
     Cell(float number) : value_(number) {}
     Cell(bool truth) : value_(std::string(truth ? "yes" : "no")) {}
     template <std::integral T>
-    Cell(T number) : value_(static_cast<std::int64_t>(number)) {}
+    Cell(T number) : value_(std::int64_t(number)) {}
 
     /// A number in the fewest digits that read back as the same number, a text as it is; in every locale.
     [[nodiscard]] std::string text() const;

@@ -43,8 +43,8 @@ std::string log_ticks(char name, const Scale& scale, const Dialect& dialect) {
     if (decades > 8) return fmt::format("set format {} {}\n", name, dialect.power_of_ten());
     std::vector<std::string> major;
     std::vector<std::string> minor;
-    const int                first = static_cast<int>(std::floor(std::log10(scale.min)));
-    const int                last  = static_cast<int>(std::ceil(std::log10(scale.max)));
+    const int                first = int(std::floor(std::log10(scale.min)));
+    const int                last  = int(std::ceil(std::log10(scale.max)));
     const bool               plain = decades < 3 && scale.min >= 1e-4 && scale.max <= 1e6;  // as wide as fits
     for (int power = first; power <= last; ++power)
         for (int digit = 1; digit <= 9; ++digit) {

@@ -44,7 +44,7 @@ int Obstacles::covered_by(const Box& box) const {
     auto covered = std::count_if(boxes.begin(), boxes.end(), [&](const Box& b) { return overlap(box, b); });
     for (const std::vector<Point>& curve : curves)
         for (std::size_t i = 1; i < curve.size(); ++i) covered += meets(box, curve[i - 1], curve[i]) ? 1 : 0;
-    return static_cast<int>(covered);
+    return int(covered);
 }
 
 std::vector<double> spread(const std::vector<double>& wanted, const std::vector<double>& sizes, double low,

@@ -21,7 +21,7 @@ namespace {
 using Values = std::map<std::string, std::string>;
 
 int cores() {
-    return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+    return std::max(1, int(std::thread::hardware_concurrency()));
 }
 
 /// @param chapter   whose defaults --help shows; none: they differ from chapter to chapter
@@ -57,7 +57,7 @@ Integer whole_number(const std::string& option, const std::string& text, Integer
 }
 
 void check_square(int samples) {
-    const int side = static_cast<int>(std::sqrt(samples));
+    const int side = int(std::sqrt(samples));
     if (side * side != samples)
         throw std::invalid_argument(
             fmt::format("--samples {}: a pixel's samples form a square here; the nearest are {} and {}",

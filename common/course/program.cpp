@@ -158,7 +158,7 @@ int run_and_wait(const std::vector<std::string>& words, const EachLine& each_lin
     std::array<char, 4096> text;
     ssize_t                count = 0;
     while ((count = read(ends[0], text.data(), text.size())) > 0)
-        lines.add({text.data(), static_cast<std::size_t>(count)});
+        lines.add({text.data(), std::size_t(count)});
     lines.end();
     close(ends[0]);
     return exit_code(child);

@@ -29,15 +29,14 @@ void Progress::tick(std::int64_t steps) {
     const std::int64_t done = done_.fetch_add(steps, std::memory_order_relaxed) + steps;
     if (!visible_) return;
     const double elapsed = std::chrono::duration<double>(Clock::now() - start_).count();
-    const auto   now     = static_cast<std::int64_t>(1000 * elapsed);
+    const auto   now     = std::int64_t(1000 * elapsed);
     auto         next    = next_.load(std::memory_order_relaxed);
     // of all threads that are late, the one that moves the next time draws
     if (now >= next && next_.compare_exchange_strong(next, now + redraw)) draw(done, elapsed);
 }
 
 void Progress::draw(std::int64_t done, double elapsed) {
-    const std::string line =
-        progress_line(what_, static_cast<double>(done) / static_cast<double>(steps_), elapsed);
+    const std::string line = progress_line(what_, double(done) / double(steps_), elapsed);
     if (line.empty()) return;
     drawn_ = true;
     fmt::print(stderr, "\r\x1b[K{}", line);
@@ -48,7 +47,7 @@ std::string progress_line(const std::string& what, double fraction, double elaps
     constexpr int cells = 24;
     if (!(fraction > 0) || elapsed < 0.2 || elapsed / fraction < worth_showing) return "";
     const double done   = std::min(fraction, 1.0);
-    const int    filled = static_cast<int>(done * cells);
+    const int    filled = int(done * cells);
     const double left   = elapsed / done - elapsed;
     const auto   time   = left < 90 ? fmt::format("{:.0f} s", left) : fmt::format("{:.0f} min", left / 60);
     return fmt::format("{} [{:=<{}}{:{}}] {:3.0f} %, {} left", what, "", filled, "", cells - filled,

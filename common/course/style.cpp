@@ -39,7 +39,7 @@ double line_height(FontSize size) {
 double text_width(std::string_view tex, FontSize size) {
     constexpr double letter = 0.58;  // of the height, in DejaVu Sans, the widest of the usual fonts
     const double     bold   = size == FontSize::title ? 1.1 : 1;
-    return letter * bold * font_height(size) * static_cast<double>(width(tex_to_plain(tex)));
+    return letter * bold * font_height(size) * double(width(tex_to_plain(tex)));
 }
 
 std::vector<std::string> wrapped(std::string_view tex, FontSize size, double most) {

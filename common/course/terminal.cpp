@@ -32,7 +32,7 @@ std::string emphasise(std::string_view text, Emphasis emphasis) {
 std::size_t width(std::string_view utf8) {
     // of a code point's bytes, all but the first look like 10xxxxxx
     const auto starts = [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; };
-    return static_cast<std::size_t>(std::count_if(utf8.begin(), utf8.end(), starts));
+    return std::size_t(std::count_if(utf8.begin(), utf8.end(), starts));
 }
 
 }  // namespace sr::course

@@ -55,7 +55,7 @@ class BoxRay {
 public:
     explicit BoxRay(const Ray<T>& ray) {
         for (std::size_t k = 0; k < 3; ++k) {
-            const auto axis    = static_cast<glm::length_t>(k);
+            const auto axis    = glm::length_t(k);
             const T    inverse = T{1} / ray.direction[axis];
             // The sign of 1 / d, because -0 < 0 is false although 1 / -0 is minus infinity.
             const bool backwards = std::signbit(inverse);

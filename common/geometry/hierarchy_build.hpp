@@ -30,7 +30,7 @@ public:
         for (std::uint32_t i = 0; i < triangles.size(); ++i) {
             references_.push_back({bounds(triangles[i].triangle), i});
         }
-        Set all = measured(0, static_cast<std::uint32_t>(triangles.size()));
+        Set all = measured(0, std::uint32_t(triangles.size()));
         // The root's second child is an empty box around the first triangle. Finite rays never enter it; one
         // that is not a number enters every box, and must come to an end all the same.
         nodes_.emplace_back();
@@ -92,7 +92,7 @@ private:
         if (set.count() <= largest_leaf && !worth_it) return {set.begin, set.count()};
         const std::uint32_t middle = cut ? partition(set, *cut) : set.begin + set.count() / 2;
 
-        const auto index = static_cast<std::uint32_t>(nodes_.size());
+        const auto index = std::uint32_t(nodes_.size());
         nodes_.emplace_back();
         const std::array<Set, 2> half = {measured(set.begin, middle), measured(middle, set.end)};
         for (std::size_t side = 0; side < 2; ++side) {
@@ -105,7 +105,7 @@ private:
 
     static int bin_of(const Set& set, const Reference& reference, int axis) {
         const T position = (reference.box.centre()[axis] - set.centres.min[axis]) / set.centres.size()[axis];
-        return std::min(bin_count - 1, static_cast<int>(position * bin_count));
+        return std::min(bin_count - 1, int(position * bin_count));
     }
 
     /// Expected work of a cut: a step, and for each half its triangles times the chance to enter it, which is
@@ -124,7 +124,7 @@ private:
         std::array<Box<T>, bin_count>        box;
         std::array<std::uint32_t, bin_count> count{};
         for (std::uint32_t i = set.begin; i < set.end; ++i) {
-            const auto bin = static_cast<std::size_t>(bin_of(set, references_[i], axis));
+            const auto bin = std::size_t(bin_of(set, references_[i], axis));
             box[bin].include(references_[i].box);
             ++count[bin];
         }
@@ -148,7 +148,7 @@ private:
             if (passed == 0 || passed == set.count()) continue;
             const T cost =
                 step_cost * set.box.half_area() + near_cost[bin] + T(passed) * passed_box.half_area();
-            if (!(best && best->cost <= cost)) best = Cut{axis, static_cast<int>(bin), cost};
+            if (!(best && best->cost <= cost)) best = Cut{axis, int(bin), cost};
         }
         return best;
     }
@@ -158,7 +158,7 @@ private:
         const auto middle = std::partition(begin, references_.begin() + set.end, [&](const Reference& r) {
             return bin_of(set, r, cut.axis) < cut.bin;
         });
-        return set.begin + static_cast<std::uint32_t>(middle - begin);
+        return set.begin + std::uint32_t(middle - begin);
     }
 
     std::vector<Reference>        references_;

@@ -40,11 +40,9 @@ private:
         throw std::invalid_argument("image " + std::string(side) + " " + std::to_string(size) +
                                     ": must be 1 to " + std::to_string(max_side) + " pixels");
     }
-    static std::size_t count(int width, int height) {
-        return static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-    }
+    static std::size_t count(int width, int height) { return std::size_t(width) * std::size_t(height); }
     [[nodiscard]] std::size_t index(int x, int y) const {
-        return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
+        return std::size_t(y) * std::size_t(width_) + std::size_t(x);
     }
 
     int                width_;

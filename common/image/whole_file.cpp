@@ -109,7 +109,7 @@ public:
             const auto written =
                 ::write(descriptor_, bytes.data(), std::min<std::size_t>(bytes.size(), 1 << 20));
             if (written < 0 && errno != EINTR) return errno;
-            if (written > 0) bytes.remove_prefix(static_cast<std::size_t>(written));
+            if (written > 0) bytes.remove_prefix(std::size_t(written));
         }
         return 0;
     }

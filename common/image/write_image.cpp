@@ -39,14 +39,14 @@ void for_each_channel(const std::filesystem::path& path, const Image<Spectrum>& 
 
 /// Transfer function of sRGB (IEC 61966-2-1), to 8 bits.
 std::uint8_t to_srgb(float linear) {
-    const double v       = std::clamp(static_cast<double>(linear), 0.0, 1.0);
+    const double v       = std::clamp(double(linear), 0.0, 1.0);
     const double encoded = v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1 / 2.4) - 0.055;
-    return static_cast<std::uint8_t>(std::lround(255 * encoded));
+    return std::uint8_t(std::lround(255 * encoded));
 }
 
 /// What stb hands over piece by piece; it can't tell of a full disk, so the file is ours to write.
 void append(void* bytes, void* data, int size) {
-    static_cast<std::string*>(bytes)->append(static_cast<const char*>(data), static_cast<std::size_t>(size));
+    static_cast<std::string*>(bytes)->append(static_cast<const char*>(data), std::size_t(size));
 }
 
 void write_encoded(const std::filesystem::path& path, int success, const std::string& bytes) {
@@ -73,7 +73,7 @@ void write_hdr(const std::filesystem::path& path, const Image<Spectrum>& image) 
     std::vector<float> channels;
     channels.reserve(3 * image.pixels().size());
     for_each_channel(
-        path, image, "0 or more and below 2^127", [](float v) { return v >= 0 && v < 0x1p127f; },
+        path, image, "0 or more and below 2^127", [](float v) { return v >= 0 && v < 0x1p127F; },
         [&](float v) { channels.push_back(v); });
 
     std::string bytes;

@@ -38,8 +38,8 @@ public:
     constexpr std::uint32_t next_u32() {
         const std::uint64_t old = state_;
         state_                  = old * 6364136223846793005 + increment_;
-        const auto xorshifted   = static_cast<std::uint32_t>((old >> 18 ^ old) >> 27);
-        const auto rotation     = static_cast<std::uint32_t>(old >> 59);
+        const auto xorshifted   = std::uint32_t((old >> 18 ^ old) >> 27);
+        const auto rotation     = std::uint32_t(old >> 59);
         return xorshifted >> rotation | xorshifted << (-rotation & 31);
     }
 
@@ -48,11 +48,11 @@ public:
     template <std::floating_point T = float>
     constexpr T uniform() {
         if constexpr (sizeof(T) == sizeof(float)) {
-            return static_cast<T>(next_u32() >> 8) * T{0x1p-24};
+            return T(next_u32() >> 8) * T{0x1p-24};
         } else {
             const std::uint64_t high = next_u32();
             const std::uint64_t low  = next_u32();
-            return static_cast<T>((high << 32 | low) >> 11) * T{0x1p-53};
+            return T((high << 32 | low) >> 11) * T{0x1p-53};
         }
     }
 
@@ -62,9 +62,9 @@ private:
     static constexpr std::uint64_t hash(std::uint64_t seed, std::int64_t x, std::int64_t y,
                                         std::int64_t sample) {
         std::uint64_t h = scramble(seed);
-        h               = scramble(h ^ static_cast<std::uint64_t>(x));
-        h               = scramble(h ^ static_cast<std::uint64_t>(y));
-        return scramble(h ^ static_cast<std::uint64_t>(sample));
+        h               = scramble(h ^ std::uint64_t(x));
+        h               = scramble(h ^ std::uint64_t(y));
+        return scramble(h ^ std::uint64_t(sample));
     }
 
     std::uint64_t state_ = 0;

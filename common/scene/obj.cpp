@@ -12,7 +12,7 @@ namespace sr {
 namespace {
 
 Spectrum to_spectrum(const double (&rgb)[3]) {
-    return {static_cast<float>(rgb[0]), static_cast<float>(rgb[1]), static_cast<float>(rgb[2])};
+    return {float(rgb[0]), float(rgb[1]), float(rgb[2])};
 }
 
 tinyobj::ObjReader parse(const CheckedObj& text, const std::filesystem::path& path) {
@@ -40,21 +40,20 @@ Scene read_obj(const std::filesystem::path& path) {
             {material.name, to_spectrum(material.diffuse), to_spectrum(material.emission)});
     }
 
-    const auto grey     = static_cast<std::uint32_t>(scene.materials.size());
+    const auto grey     = std::uint32_t(scene.materials.size());
     bool       any_grey = false;
     for (const auto& shape : reader.GetShapes()) {
         const auto& corners = shape.mesh.indices;
         for (std::size_t i = 0; i < corners.size(); i += 3) {
             Mesh<double>::Face face;
-            for (std::size_t k = 0; k < 3; ++k)
-                face[k] = static_cast<std::uint32_t>(corners[i + k].vertex_index);
+            for (std::size_t k = 0; k < 3; ++k) face[k] = std::uint32_t(corners[i + k].vertex_index);
             scene.mesh.faces.push_back(face);
             const int material = shape.mesh.material_ids[i / 3];
             any_grey |= material < 0;
-            scene.material_of_face.push_back(material < 0 ? grey : static_cast<std::uint32_t>(material));
+            scene.material_of_face.push_back(material < 0 ? grey : std::uint32_t(material));
         }
     }
-    constexpr auto rho = static_cast<float>(default_reflectance);
+    constexpr auto rho = float(default_reflectance);
     if (any_grey) scene.materials.push_back({"grey", {rho, rho, rho}, {}});
     return scene;
 }

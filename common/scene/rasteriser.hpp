@@ -81,9 +81,7 @@ struct PixelRange {
     for (const auto& vertex : {triangle.a, triangle.b, triangle.c}) {
         const auto image = camera.project(vertex);
         if (!image) return {0, 0, camera.width, camera.height};
-        const auto clamped = [](double value, int size) {
-            return static_cast<int>(std::clamp(value, 0.0, static_cast<double>(size)));
-        };
+        const auto clamped = [](double value, int size) { return int(std::clamp(value, 0.0, double(size))); };
         // A pixel more on each side than the projection says, for its rounding.
         range.x_begin = std::min(range.x_begin, clamped(image->x - 1, camera.width));
         range.y_begin = std::min(range.y_begin, clamped(image->y - 1, camera.height));
@@ -109,7 +107,7 @@ template <std::floating_point T>
         for (int y = range.y_begin; y < range.y_end; ++y) {
             for (int x = range.x_begin; x < range.x_end; ++x) {
                 const auto t = setup->t(canonical.ray_through_pixel(x, y).direction);
-                if (t && static_cast<T>(*t) < image(x, y).t) image(x, y) = {static_cast<T>(*t), face};
+                if (t && T(*t) < image(x, y).t) image(x, y) = {T(*t), face};
             }
         }
     }

@@ -85,8 +85,8 @@ using Weights = std::array<double, 4>;
 
 /// Turned round, i -> n - i, they are the same numbers to the bit, in the opposite order.
 Weights bernstein(int i, int n) {
-    const double s = static_cast<double>(i) / n;
-    const double t = static_cast<double>(n - i) / n;
+    const double s = double(i) / n;
+    const double t = double(n - i) / n;
     return {t * t * t, 3 * (t * t) * s, 3 * (s * s) * t, s * s * s};
 }
 
@@ -99,7 +99,7 @@ Point on_curve(const std::array<Point, 4>& p, const Weights& w) {
 /// Cuts patches into triangles and joins them where they meet.
 class Tessellation {
 public:
-    explicit Tessellation(int level) : n_{static_cast<std::size_t>(level)} {
+    explicit Tessellation(int level) : n_{std::size_t(level)} {
         for (int i = 0; i <= level; ++i) weights_.push_back(bernstein(i, level));
         mesh_.vertices.reserve(32 * n_ * n_ + 4 * n_ + 1);
         mesh_.faces.reserve(64 * n_ * n_);
@@ -138,7 +138,7 @@ private:
     /// A vertex of its own inside a patch; on its border the one that is at this position already, if any.
     std::uint32_t vertex(const Patch& patch, std::size_t i, std::size_t j) {
         const Point p    = position(patch, i, j);
-        const auto  next = static_cast<std::uint32_t>(mesh_.vertices.size());
+        const auto  next = std::uint32_t(mesh_.vertices.size());
         if (i == 0 || i == n_ || j == 0 || j == n_) {
             const auto [known, is_new] = border_.try_emplace({p.x, p.y, p.z}, next);
             if (!is_new) return known->second;

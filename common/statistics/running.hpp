@@ -17,17 +17,17 @@ public:
     constexpr void add(double x) {
         ++count_;
         const double difference = x - mean_;
-        mean_ += difference / static_cast<double>(count_);
+        mean_ += difference / double(count_);
         squares_ += difference * (x - mean_);
     }
 
     /// As if the other's values had been added here, up to rounding.
     constexpr void merge(const Running& other) {
         if (other.count_ == 0) return;
-        const auto   n          = static_cast<double>(count_ + other.count_);
-        const double share      = static_cast<double>(other.count_) / n;
+        const auto   n          = double(count_ + other.count_);
+        const double share      = double(other.count_) / n;
         const double difference = other.mean_ - mean_;
-        squares_ += other.squares_ + difference * difference * share * static_cast<double>(count_);
+        squares_ += other.squares_ + difference * difference * share * double(count_);
         mean_ += difference * share;
         count_ += other.count_;
     }
@@ -39,14 +39,11 @@ public:
 
     /// Unbiased estimate of the variance of one value; NaN, unknown, of fewer than two.
     [[nodiscard]] constexpr double variance() const {
-        return count_ < 2 ? std::numeric_limits<double>::quiet_NaN()
-                          : squares_ / static_cast<double>(count_ - 1);
+        return count_ < 2 ? std::numeric_limits<double>::quiet_NaN() : squares_ / double(count_ - 1);
     }
 
     /// Standard error of the mean: sqrt(variance / n); NaN, unknown, of fewer than two values.
-    [[nodiscard]] double standard_error() const {
-        return std::sqrt(variance() / static_cast<double>(count_));
-    }
+    [[nodiscard]] double standard_error() const { return std::sqrt(variance() / double(count_)); }
 
 private:
     std::uint64_t count_   = 0;

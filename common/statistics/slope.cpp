@@ -47,7 +47,7 @@ Slope log_log_slope(std::span<const double> x, std::span<const double> y) {
         const double above = std::log(y[i]) - log_y.mean() - slope * (std::log(x[i]) - log_x.mean());
         residuals += above * above;
     }
-    return {slope, std::sqrt(residuals / static_cast<double>(x.size() - 2) / sxx)};
+    return {slope, std::sqrt(residuals / double(x.size() - 2) / sxx)};
 }
 
 }  // namespace sr

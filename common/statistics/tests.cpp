@@ -29,7 +29,7 @@ std::vector<Cell> sorted_cells(std::span<const std::uint64_t> observed, std::spa
     std::vector<Cell> cells;
     Cell              sum;
     for (std::size_t i = 0; i < observed.size(); ++i) {
-        cells.push_back({expected[i], static_cast<double>(observed[i])});
+        cells.push_back({expected[i], double(observed[i])});
         sum.expected += cells.back().expected;
         sum.observed += cells.back().observed;
         if (!(expected[i] >= 0)) {
@@ -94,7 +94,7 @@ ChiSquare chi_square_test(std::span<const std::uint64_t> observed, std::span<con
     const bool              impossible = std::any_of(sorted.begin(), sorted.end(),
                                                      [](Cell cell) { return cell.expected == 0 && cell.observed > 0; });
     const std::vector<Cell> cells      = pooled(sorted);
-    const int               degrees    = static_cast<int>(cells.size()) - 1;
+    const int               degrees    = int(cells.size()) - 1;
     if (degrees < 1)
         throw std::invalid_argument("chi-square test: one cell after pooling; must be two or more");
     if (impossible) return {std::numeric_limits<double>::infinity(), degrees, 0};

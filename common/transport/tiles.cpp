@@ -33,8 +33,7 @@ void for_each_pixel(int width, int height, const TileLoop& loop,
     };
 
     const int                 threads = loop.threads > 0 ? loop.threads : tbb::info::default_concurrency();
-    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
-                                    static_cast<std::size_t>(threads));
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, std::size_t(threads));
     tbb::task_arena           arena(threads);
     arena.execute([&] { tbb::parallel_for(0, rows * columns, tile); });
 }

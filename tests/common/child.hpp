@@ -24,7 +24,7 @@ struct Ended {
 inline std::string read_all(std::FILE* file) {
     std::string text;
     std::rewind(file);
-    for (int c; (c = std::fgetc(file)) != EOF;) text += static_cast<char>(c);
+    for (int c; (c = std::fgetc(file)) != EOF;) text += char(c);
     std::fclose(file);
     return text;
 }
@@ -32,7 +32,7 @@ inline std::string read_all(std::FILE* file) {
 /// Whether the child has not ended yet.
 inline bool runs(pid_t child) {
     siginfo_t ended = {};
-    ::waitid(P_PID, static_cast<id_t>(child), &ended, WEXITED | WNOHANG | WNOWAIT);
+    ::waitid(P_PID, id_t(child), &ended, WEXITED | WNOHANG | WNOWAIT);
     return ended.si_pid == 0;
 }
 

@@ -79,10 +79,10 @@ TEST_CASE("cornell box: parts have the areas and paints of the published measure
 }
 
 TEST_CASE("cornell box: the paints' reflectances") {
-    const std::map<std::string, Spectrum> paints{{"white", {0.725f, 0.71f, 0.68f}},
-                                                 {"red", {0.63f, 0.065f, 0.05f}},
-                                                 {"green", {0.14f, 0.45f, 0.091f}},
-                                                 {"light", {0.78f, 0.78f, 0.78f}}};
+    const std::map<std::string, Spectrum> paints{{"white", {0.725F, 0.71F, 0.68F}},
+                                                 {"red", {0.63F, 0.065F, 0.05F}},
+                                                 {"green", {0.14F, 0.45F, 0.091F}},
+                                                 {"light", {0.78F, 0.78F, 0.78F}}};
     std::set<std::string>                 seen;
     for (const Material& m : cornell_box().materials) {
         CAPTURE(m.name);
@@ -166,9 +166,9 @@ TEST_CASE("cornell box: the light's flux is pi L A") {
     for (std::size_t i = 0; i < box.mesh.faces.size(); ++i) {
         const Spectrum L = box.materials.at(box.material_of_face[i]).emission;
         const double   A = area(box.mesh.triangle(i));
-        flux[0] += std::numbers::pi * static_cast<double>(L.r) * A;
-        flux[1] += std::numbers::pi * static_cast<double>(L.g) * A;
-        flux[2] += std::numbers::pi * static_cast<double>(L.b) * A;
+        flux[0] += std::numbers::pi * double(L.r) * A;
+        flux[1] += std::numbers::pi * double(L.g) * A;
+        flux[2] += std::numbers::pi * double(L.b) * A;
     }
     CHECK(relative_error(flux[0], std::numbers::pi * 17 * 130 * 105) <= 1e-14);
     CHECK(relative_error(flux[1], std::numbers::pi * 12 * 130 * 105) <= 1e-14);

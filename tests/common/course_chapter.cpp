@@ -27,9 +27,8 @@ Ended run_program(const std::filesystem::path& out, const Lecture& lecture,
     const std::string        folder = out.string();
     std::vector<const char*> words{"99_demo", "--out", folder.c_str()};
     words.insert(words.end(), more.begin(), more.end());
-    return in_child(
-        [&] { return run(static_cast<int>(words.size()), words.data(), "99_demo", "Demo", lecture); },
-        meanwhile);
+    return in_child([&] { return run(int(words.size()), words.data(), "99_demo", "Demo", lecture); },
+                    meanwhile);
 }
 
 void small_chapter(Chapter& chapter) {

@@ -30,7 +30,7 @@ Box box_of(const PlacedLabel& label) {
     double width = 0;
     for (const std::string& line : label.lines) width = std::max(width, text_width(line, FontSize::normal));
     const double line = line_height(FontSize::normal);
-    const double rest = static_cast<double>(label.lines.size()) - 1;
+    const double rest = double(label.lines.size()) - 1;
     return {{label.at.x, label.at.y - (rest + 0.5) * line}, {label.at.x + width, label.at.y + 0.5 * line}};
 }
 

@@ -15,7 +15,7 @@ const Defaults sizes{.size = {100, 200, 300}, .samples = {1, 2, 3}};
 
 Parsed parse(std::vector<const char*> words, const Defaults& defaults = sizes) {
     words.insert(words.begin(), "01_rays");
-    return parse_options(static_cast<int>(words.size()), words.data(), "01_rays", "Rays", defaults);
+    return parse_options(int(words.size()), words.data(), "01_rays", "Rays", defaults);
 }
 
 /// What the program says, and its exit code, when it is given these words.
@@ -129,7 +129,7 @@ Got give(std::vector<const char*> words) {
         return 5;
     };
     words.insert(words.begin(), "course");
-    got.code = dispatch(static_cast<int>(words.size()), words.data(), "course", "The commands.\n",
+    got.code = dispatch(int(words.size()), words.data(), "course", "The commands.\n",
                         {{.name         = "figures",
                           .help         = "h",
                           .rest         = Rest::words,

@@ -33,15 +33,15 @@ Box<T> bounds(const Mesh<T>& mesh) {
 /// the plane of a coordinate that a vertex has, aimed at edges and at vertices, from a point of the mesh.
 template <class T>
 Ray<T> awkward_ray(const Mesh<T>& mesh, const Box<T>& around, Rng& rng) {
-    const auto        face     = static_cast<std::uint32_t>(rng.uniform() * float(mesh.faces.size()));
+    const auto        face     = std::uint32_t(rng.uniform() * float(mesh.faces.size()));
     const Triangle<T> triangle = mesh.triangle(face);
     const Vector3<T>  o        = random_in(around, rng);
     const T           u        = T(rng.uniform());
-    const auto        axis     = static_cast<int>(rng.uniform() * 3);
+    const auto        axis     = int(rng.uniform() * 3);
     const T           zero     = rng.uniform() < 0.5F ? T(0) : -T(0);
     Vector3<T>        along(zero);
     along[axis] = rng.uniform() < 0.5F ? T(1) : T(-1);
-    switch (static_cast<int>(rng.uniform() * 6)) {
+    switch (int(rng.uniform() * 6)) {
         case 0:
             return {o, random_in(around, rng) - o};
         case 1:
@@ -87,9 +87,9 @@ Differences compare(const Mesh<T>& mesh, const Surfaces& hierarchy, int rays) {
     around.include(around.max + around.size());
 
     std::atomic<int> different = 0, hits = 0;
-    const int        side = static_cast<int>(std::sqrt(double(rays)));
+    const int        side = int(std::sqrt(double(rays)));
     for_each_pixel(side, side, {.threads = 0}, [&](int x, int y) {
-        Rng        rng{5, static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y), 0};
+        Rng        rng{5, std::uint32_t(x), std::uint32_t(y), 0};
         const auto ray      = awkward_ray(mesh, around, rng);
         const auto expected = all.nearest(ray);
         if (!(hierarchy.nearest(ray) == expected)) ++different;

@@ -57,10 +57,10 @@ TEST_CASE("png: sRGB's transfer function, clamped, and each channel and pixel in
     const ScratchFolder folder("image_test");
     const auto          path = folder.path / "a.png";
     Image<Spectrum>     image(3, 2);
-    image(0, 0) = {0, 1, 0.5f};
-    image(1, 0) = {0.18f, 0.0031308f, 0.001f};  // middle grey; the end of the straight piece; on it
-    image(2, 0) = {-1, 2, 1e30f};               // clamped
-    image(0, 1) = {0.725f, 0.065f, 0.05f};
+    image(0, 0) = {0, 1, 0.5F};
+    image(1, 0) = {0.18F, 0.0031308F, 0.001F};  // middle grey; the end of the straight piece; on it
+    image(2, 0) = {-1, 2, 1e30F};               // clamped
+    image(0, 1) = {0.725F, 0.065F, 0.05F};
     write_png(path, image);
 
     int            width = 0, height = 0, channels = 0;
@@ -82,10 +82,10 @@ TEST_CASE("hdr: three mantissas and one exponent, decoded by hand") {
     const ScratchFolder folder("image_test");
     const auto          path = folder.path / "a.hdr";
     Image<Spectrum>     image(2, 2);
-    image(0, 0) = {1, 0.5f, 0.25f};
+    image(0, 0) = {1, 0.5F, 0.25F};
     image(1, 0) = {0, 0, 0};
     image(0, 1) = {17, 12, 4};
-    image(1, 1) = {1e-20f, 3e37f, 1e30f};
+    image(1, 1) = {1e-20F, 3e37F, 1e30F};
     write_hdr(path, image);
 
     const std::string bytes  = test::read_text(path);
@@ -98,10 +98,10 @@ TEST_CASE("hdr: three mantissas and one exponent, decoded by hand") {
         const auto byte = [&](std::size_t k) { return static_cast<unsigned char>(bytes[start + 4 * i + k]); };
         const double unit    = byte(3) == 0 ? 0 : std::ldexp(1.0, byte(3) - 136);
         const auto   s       = image.pixels()[i];
-        const double largest = static_cast<double>(std::max({s.r, s.g, s.b}));
-        CHECK(std::abs(unit * byte(0) - static_cast<double>(s.r)) <= largest / 128);
-        CHECK(std::abs(unit * byte(1) - static_cast<double>(s.g)) <= largest / 128);
-        CHECK(std::abs(unit * byte(2) - static_cast<double>(s.b)) <= largest / 128);
+        const double largest = double(std::max({s.r, s.g, s.b}));
+        CHECK(std::abs(unit * byte(0) - double(s.r)) <= largest / 128);
+        CHECK(std::abs(unit * byte(1) - double(s.g)) <= largest / 128);
+        CHECK(std::abs(unit * byte(2) - double(s.b)) <= largest / 128);
     }
 }
 
@@ -110,8 +110,7 @@ TEST_CASE("hdr: a wide image, whose rows are run-length encoded, and the same by
     const auto          path = folder.path / "wide.hdr";
     Image<Spectrum>     image(300, 3);
     for (int y = 0; y < 3; ++y) {
-        for (int x = 0; x < 300; ++x)
-            image(x, y) = {x < 200 ? 1.0f : static_cast<float>(x), static_cast<float>(y), 2};
+        for (int x = 0; x < 300; ++x) image(x, y) = {x < 200 ? 1.0F : float(x), float(y), 2};
     }
     write_hdr(path, image);
     const std::string first = test::read_text(path);
@@ -130,7 +129,7 @@ TEST_CASE("hdr: a wide image, whose rows are run-length encoded, and the same by
                                          std::abs(pixels[3 * i + 2] - s.b)});
         worst                = std::max(worst, error / std::max({s.r, s.g, s.b}));
     }
-    CHECK(worst <= 1.0f / 128);
+    CHECK(worst <= 1.0F / 128);
     stbi_image_free(pixels);
 }
 
@@ -149,7 +148,7 @@ TEST_CASE("a pixel that no format can hold is named, and nothing is written") {
     image(3, 2) = {0, 0, -inf};
     CHECK(complaint(write_png, path, image).find("pixel (3, 2)") != std::string::npos);
     CHECK(complaint(write_hdr, path, image).find("pixel (3, 2)") != std::string::npos);
-    image(3, 2) = {-1e-6f, 0, 3e38f};
+    image(3, 2) = {-1e-6F, 0, 3e38F};
     CHECK(complaint(write_hdr, path, image).find("pixel (3, 2)") != std::string::npos);
     CHECK(folder.files() == 0);
     CHECK(complaint(write_png, path, image) == "");

@@ -85,10 +85,10 @@ TEST_CASE("obj: triangles and their materials, and grey where none is named") {
     REQUIRE(scene.materials.size() == 3);
     CHECK(scene.material_of_face == std::vector<std::uint32_t>{2, 1, 0});
     CHECK(scene.materials[0].name == "red");
-    CHECK(scene.materials[0].reflectance == Spectrum{0.5f, 0.25f, 0});
+    CHECK(scene.materials[0].reflectance == Spectrum{0.5F, 0.25F, 0});
     CHECK(scene.materials[0].emission == Spectrum{});
     CHECK(scene.materials[1].emission == Spectrum{17, 12, 4});
-    CHECK(scene.materials[2].reflectance == Spectrum{0.8f, 0.8f, 0.8f});
+    CHECK(scene.materials[2].reflectance == Spectrum{0.8F, 0.8F, 0.8F});
 }
 
 TEST_CASE("obj: a polygon becomes a fan from its first corner, also one of more corners than a byte counts") {
@@ -149,7 +149,7 @@ TEST_CASE("obj: what is no OBJ file is refused") {
 
     Rng         rng{3, 0, 0, 0};
     std::string random;
-    for (int i = 0; i < 1000; ++i) random += static_cast<char>(rng.next_u32() & 0xff);
+    for (int i = 0; i < 1000; ++i) random += char(rng.next_u32() & 0xff);
     CHECK(complaint(random) != "");
 }
 
@@ -228,7 +228,7 @@ bool finite(Spectrum s) {
 
 bool usable(const Scene& scene) {
     const auto& mesh  = scene.mesh;
-    const auto  limit = static_cast<double>(std::numeric_limits<float>::max());
+    const auto  limit = double(std::numeric_limits<float>::max());
     return !mesh.faces.empty() && scene.material_of_face.size() == mesh.faces.size() &&
            std::all_of(mesh.vertices.begin(), mesh.vertices.end(),
                        [&](const auto& p) {
@@ -248,12 +248,12 @@ bool usable(const Scene& scene) {
 /// The text with a few bytes changed, put in or taken out; often by bytes that mean something.
 std::string mutated(std::string text, Rng& rng) {
     static const std::string meaningful = "0123456789+-.eE/# \t\r\n\\vfnaiKdmtlusgo";
-    const auto below = [&](std::size_t n) { return rng.next_u32() % static_cast<std::uint32_t>(n); };
+    const auto               below      = [&](std::size_t n) { return rng.next_u32() % std::uint32_t(n); };
     for (std::uint32_t changes = 1 + below(4); changes > 0; --changes) {
         const std::uint32_t kind = below(3);
         const std::size_t   at   = below(text.size());
         const bool          any  = below(4) == 0;
-        const char          byte = any ? static_cast<char>(below(256)) : meaningful[below(meaningful.size())];
+        const char          byte = any ? char(below(256)) : meaningful[below(meaningful.size())];
         if (kind == 0) text[at] = byte;
         if (kind == 1) text.insert(at, 1, byte);
         if (kind == 2 && text.size() > 1) text.erase(at, 1 + below(3));

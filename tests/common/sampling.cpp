@@ -23,8 +23,8 @@ constexpr double alpha = 0.001;  // significance of each test here; seeds are fi
 /// Chi-square test of numbers in [0, 1] for uniformity, with 64 cells.
 double uniformity(const std::vector<double>& numbers) {
     std::vector<std::uint64_t> observed(64);
-    for (const double u : numbers) ++observed.at(std::min(static_cast<std::size_t>(u * 64), std::size_t{63}));
-    const std::vector<double> expected(64, static_cast<double>(numbers.size()) / 64);
+    for (const double u : numbers) ++observed.at(std::min(std::size_t(u * 64), std::size_t{63}));
+    const std::vector<double> expected(64, double(numbers.size()) / 64);
     return chi_square_test(observed, expected).p;
 }
 
@@ -36,7 +36,7 @@ double correlation_p(const std::vector<double>& numbers) {
     for (std::size_t i = 1; i < numbers.size(); ++i) {
         covariance += (numbers[i] - all.mean()) * (numbers[i - 1] - all.mean());
     }
-    const auto n = static_cast<double>(numbers.size() - 1);
+    const auto n = double(numbers.size() - 1);
     return z_test(covariance / n / all.variance(), 1 / std::sqrt(n), 0).p;
 }
 
@@ -55,7 +55,7 @@ struct MinimalStandard {
     template <class T>
     T uniform() {
         state = 16807 * state % 2147483647;
-        return static_cast<T>(state) / T{2147483647};
+        return T(state) / T{2147483647};
     }
 };
 
@@ -99,7 +99,7 @@ TEST_CASE("rng: numbers are uniform, in float and in double") {
     Rng                 rng{5, 0, 0, 0};
     std::vector<double> of_float, of_double, squared;
     for (int i = 0; i < 100'000; ++i) {
-        of_float.push_back(static_cast<double>(rng.uniform()));
+        of_float.push_back(double(rng.uniform()));
         of_double.push_back(rng.uniform<double>());
         squared.push_back(of_double.back() * of_double.back());
     }
@@ -111,8 +111,8 @@ TEST_CASE("rng: numbers are uniform, in float and in double") {
 }
 
 TEST_CASE("rng: the largest draw stays below 1, which x * 2^-32 in float doesn't") {
-    CHECK(static_cast<float>(0xffffffffu) * 0x1p-32f == 1.0f);
-    CHECK(static_cast<float>(0xffffffffu >> 8) * 0x1p-24f == 1 - 0x1p-24f);
+    CHECK(float(0xffffffffu) * 0x1p-32F == 1.0F);
+    CHECK(float(0xffffffffu >> 8) * 0x1p-24F == 1 - 0x1p-24F);
 
     Rng   rng{6, 0, 0, 0};
     float least = 1, largest = 0;
@@ -123,21 +123,21 @@ TEST_CASE("rng: the largest draw stays below 1, which x * 2^-32 in float doesn't
     }
     CHECK(least >= 0);
     CHECK(largest < 1);
-    CHECK(largest >= 1 - 0x1p-22f);
+    CHECK(largest >= 1 - 0x1p-22F);
 }
 
 TEST_CASE("rng: neighbouring pixels, samples and seeds are independent") {
     const auto in_x      = first_numbers([](int i) { return Rng{12345, i, 0, 0}; });
     const auto in_y      = first_numbers([](int i) { return Rng{12345, 0, i, 0}; });
     const auto in_sample = first_numbers([](int i) { return Rng{12345, 0, 0, i}; });
-    const auto in_seed   = first_numbers([](int i) { return Rng{static_cast<std::uint64_t>(i), 0, 0, 0}; });
+    const auto in_seed   = first_numbers([](int i) { return Rng{std::uint64_t(i), 0, 0, 0}; });
     for (const auto& numbers : {in_x, in_y, in_sample, in_seed}) {
         CHECK(uniformity(numbers) > alpha);
         CHECK(correlation_p(numbers) > alpha);
     }
 
     const auto seeded_with_index =
-        first_numbers([](int i) { return MinimalStandard{12345 + static_cast<std::uint64_t>(i)}; });
+        first_numbers([](int i) { return MinimalStandard{12345 + std::uint64_t(i)}; });
     CHECK(uniformity(seeded_with_index) < 1e-6);
     CHECK(correlation_p(seeded_with_index) < 1e-6);
 }
@@ -159,12 +159,12 @@ TEST_CASE("rng: the mean of an image comes closer with its pixels, which the sam
 
 TEST_CASE(
     "hemisphere: directions are of unit length and above the plane, also for the largest number below 1") {
-    const float largest = 1 - 0x1p-24f;
-    for (const float u : {0.0f, 0.5f, largest}) {
-        for (const float v : {0.0f, 0.25f, 0.7f, largest}) {
+    const float largest = 1 - 0x1p-24F;
+    for (const float u : {0.0F, 0.5F, largest}) {
+        for (const float v : {0.0F, 0.25F, 0.7F, largest}) {
             const Vec3 w = sample_cosine_hemisphere({u, v});
-            CHECK(std::abs(length(w) - 1) <= 3e-7f);
-            CHECK(w.z >= 0x1p-12f);
+            CHECK(std::abs(length(w) - 1) <= 3e-7F);
+            CHECK(w.z >= 0x1p-12F);
         }
     }
     CHECK(sample_cosine_hemisphere({0, 0}) == Vec3{0, 0, 1});
@@ -177,9 +177,9 @@ TEST_CASE("hemisphere: directions follow the cosine") {
         const float u = rng.uniform();
         const float v = rng.uniform();
         const Vec3  w = sample_cosine_hemisphere({u, v});
-        z.push_back(static_cast<double>(w.z));
+        z.push_back(double(w.z));
         z_squared.push_back(z.back() * z.back());
-        const double phi = std::atan2(static_cast<double>(w.y), static_cast<double>(w.x));
+        const double phi = std::atan2(double(w.y), double(w.x));
         angle.push_back(phi / (2 * std::numbers::pi) + 0.5);
     }
     // the share of directions above z is 1 - z^2, so z^2 is uniform and z is not; neither knows of the angle

@@ -69,7 +69,7 @@ TEST_CASE("running: the variance of values far from 0, where the textbook formul
     float     sum = 0, sum_of_squares = 0;
     for (int i = 0; i < n; ++i) {
         const double x = 1000 + 0.01 * rng.uniform<double>();
-        const auto   f = static_cast<float>(x);
+        const auto   f = float(x);
         welford.add(x);
         sum += f;
         sum_of_squares += f * f;

@@ -86,7 +86,7 @@ double signed_volume(const Mesh<double>& mesh) {
 TEST_CASE("teapot: as many triangles and vertices as 32 patches without poles and seams leave") {
     for (const std::size_t n : {2u, 3u, 5u, 10u, 40u}) {
         CAPTURE(n);
-        const Mesh<double> mesh = teapot(static_cast<int>(n));
+        const Mesh<double> mesh = teapot(int(n));
         CHECK(mesh.faces.size() == 64 * n * n - 8 * n);
         // rings of 4 n around the axis: 4 n of the body and 2 n of the lid, and two poles; rings of 2 n: 2 n + 1 each
         // of handle and spout; the foot of the handle ends in a vertex of the body
@@ -118,7 +118,7 @@ TEST_CASE("teapot: bounds") {
 TEST_CASE("teapot: every edge has two faces, in opposite directions, but at the six ends of the surfaces") {
     for (const std::size_t n : {2u, 3u, 4u, 7u, 10u, 16u}) {
         CAPTURE(n);
-        const Mesh<double> mesh     = teapot(static_cast<int>(n));
+        const Mesh<double> mesh     = teapot(int(n));
         const auto         directed = directed_edges(mesh);
         const auto         multiple =
             std::count_if(directed.begin(), directed.end(), [](const auto& e) { return e.second != 1; });
@@ -142,7 +142,7 @@ TEST_CASE("teapot: a seam that misses by a bit would show") {
     CHECK(open == 16 * 3);
     // a corner of a face gets a vertex of its own, a bit away
     mesh.vertices.push_back(mesh.vertices[mesh.faces[100][0]] + Point{1e-16, 0, 0});
-    mesh.faces[100][0] = static_cast<std::uint32_t>(mesh.vertices.size() - 1);
+    mesh.faces[100][0] = std::uint32_t(mesh.vertices.size() - 1);
     CHECK(open_edges(directed_edges(mesh)).size() == open + 4);
 }
 
@@ -159,7 +159,7 @@ TEST_CASE("teapot: each of the 32 patches looks outwards, the mirrored ones too"
         Point             total{};  // area vector
         Point             middle{};
         double            away_from_axis = 0;
-        const std::size_t end            = face + static_cast<std::size_t>(2 * n * n - (patch.pole ? n : 0));
+        const std::size_t end            = face + std::size_t(2 * n * n - (patch.pole ? n : 0));
         for (; face < end; ++face) {
             const Triangle<double> t = mesh.triangle(face);
             total += area_vector(t);

@@ -15,10 +15,10 @@ using namespace sr;
 
 TEST_CASE("every pixel is visited once, also where tiles do not fit") {
     for (const auto& [width, height] : {std::pair{1, 1}, {16, 16}, {17, 15}, {100, 37}}) {
-        std::vector<std::atomic<int>> visits(static_cast<std::size_t>(width * height));
+        std::vector<std::atomic<int>> visits(std::size_t(width * height));
         int                           tiles = 0;
         for_each_pixel(width, height, {.threads = 3},
-                       [&, w = width](int x, int y) { ++visits[static_cast<std::size_t>(y * w + x)]; });
+                       [&, w = width](int x, int y) { ++visits[std::size_t(y * w + x)]; });
         for_each_pixel(width, height,
                        {.threads = 1, .on_tile = [&](int done, int of) { tiles = done == of ? of : 0; }},
                        [](int, int) {});
@@ -35,7 +35,7 @@ TEST_CASE("an image is the same for 1, 2 and 7 threads") {
     const auto             noise = [](int threads) {
         Image<float> image(160, 120);
         for_each_pixel(160, 120, {.threads = threads}, [&](int x, int y) {
-            Rng rng{1, static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y), 0};
+            Rng rng{1, std::uint32_t(x), std::uint32_t(y), 0};
             image(x, y) = rng.uniform();
         });
         return image;

@@ -29,7 +29,7 @@ Mesh<T> globe(std::uint32_t n, Vector3<T> centre) {
                                                     std::sin(theta) * std::sin(phi), std::cos(theta)}));
         }
     }
-    const auto south = static_cast<std::uint32_t>(mesh.vertices.size());
+    const auto south = std::uint32_t(mesh.vertices.size());
     mesh.vertices.push_back(centre - Vector3<T>{0, 0, 1});
     for (std::uint32_t j = 0; j < columns; ++j) {
         mesh.faces.push_back({0, ring(1, j), ring(1, j + 1)});
@@ -59,9 +59,9 @@ int leaks(const Mesh<T>& mesh, Vector3<T> centre, int rays_per_face, Hits&& hits
     for (std::uint32_t face = 0; face < mesh.faces.size(); ++face) {
         const Triangle<T> triangle = mesh.triangle(face);
         for (int i = 0; i < rays_per_face; ++i) {
-            const auto u = static_cast<T>(i == 0 ? 0.0F : rng.uniform());  // the first is aimed at a vertex
-            const T    x = T(rng.uniform()) - T(0.5);
-            const T    y = T(rng.uniform()) - T(0.5);
+            const auto u      = T(i == 0 ? 0.0F : rng.uniform());  // the first is aimed at a vertex
+            const T    x      = T(rng.uniform()) - T(0.5);
+            const T    y      = T(rng.uniform()) - T(0.5);
             const auto origin = centre + Vector3<T>{x, y, T(0.1)};
             lost += hits(Ray<T>{origin, triangle.a + u * (triangle.b - triangle.a) - origin}) ? 0 : 1;
         }

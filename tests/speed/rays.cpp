@@ -135,9 +135,8 @@ int leaks(const Surfaces& surfaces, const Pot& pot, const RaySet& set, int rays)
     int         lost     = 0;
     Rng         rng{2, 0, 0, 0};
     for (int aimed = 0; aimed < rays;) {
-        const auto vertex = static_cast<std::uint32_t>(rng.uniform<double>() * double(vertices.size()));
-        const auto from =
-            static_cast<std::size_t>(rng.uniform<double>() * double(set.origins_of_aimed.size()));
+        const auto vertex = std::uint32_t(rng.uniform<double>() * double(vertices.size()));
+        const auto from   = std::size_t(rng.uniform<double>() * double(set.origins_of_aimed.size()));
         const Vec3 origin = set.origins_of_aimed[from];
         if (!pot.fans.faces_point(vertex, origin)) continue;
         ++aimed;
@@ -148,7 +147,7 @@ int leaks(const Surfaces& surfaces, const Pot& pot, const RaySet& set, int rays)
 
 /// Rays that brute force has the time for, spread over the set.
 std::vector<Ray<float>> subset(const RaySet& set, std::size_t triangles) {
-    const auto              count = static_cast<std::size_t>(brute_force_tests / double(triangles));
+    const auto              count = std::size_t(brute_force_tests / double(triangles));
     std::vector<Ray<float>> result;
     for (std::size_t i = 0; i < count; ++i) result.push_back(set.rays[i * set.rays.size() / count]);
     return result;
@@ -171,7 +170,7 @@ void bench(const Pot& pot, const RaySet& set, course::Rows& rows, course::Progre
     int wrong = 0;
     for (const auto& ray : some) wrong += answers_differ(pot, set, ray) ? 1 : 0;
     progress.tick();
-    const int lost[] = {leaks(pot.all, pot, set, static_cast<int>(some.size())),
+    const int lost[] = {leaks(pot.all, pot, set, int(some.size())),
                         leaks(pot.hierarchy, pot, set, vertex_aimed_rays)};
     progress.tick();
     for (std::size_t i = 0; i < 2; ++i) {
