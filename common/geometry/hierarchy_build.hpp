@@ -40,7 +40,7 @@ public:
         nodes_[0].child[1] = {0, 1};
     }
 
-    [[nodiscard]] std::vector<HierarchyNode<T>>&& nodes() && { return std::move(nodes_); }
+    [[nodiscard]] std::vector<HierarchyNode<T>> nodes() && { return std::move(nodes_); }
 
     /// The order in which leaves expect the triangles.
     [[nodiscard]] std::vector<std::uint32_t> order() const {
@@ -129,8 +129,7 @@ private:
             ++count[bin];
         }
 
-        // Sweep once from the near side, keeping the cost of what has been passed, and once from the far
-        // side.
+        // Once from the near side, to keep the cost of what has been passed, and once from the far side.
         std::array<T, bin_count> near_cost{};
         Box<T>                   passed_box;
         std::uint32_t            passed = 0;

@@ -32,6 +32,7 @@ struct FaceTriangle {
     std::uint32_t face;
 };
 
+/// A mesh's triangles in the order of its faces.
 template <std::floating_point T>
 [[nodiscard]] std::vector<FaceTriangle<T>> face_triangles(const Mesh<T>& mesh) {
     std::vector<FaceTriangle<T>> triangles;

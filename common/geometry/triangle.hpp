@@ -26,6 +26,7 @@ template <std::floating_point T>
     return cross(triangle.b - triangle.a, triangle.c - triangle.a);
 }
 
+/// [length unit^2]
 template <std::floating_point T>
 [[nodiscard]] T area(const Triangle<T>& triangle) {
     return length(area_vector(triangle)) / 2;

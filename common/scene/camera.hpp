@@ -71,6 +71,7 @@ template <std::floating_point T>
     return 2 * std::atan(T(pixels) / 2 / camera.plane_distance);
 }
 
+/// The same camera in another precision; each number is rounded once.
 template <std::floating_point To, std::floating_point From>
 [[nodiscard]] Camera<To> convert(const Camera<From>& camera) {
     return {Vector3<To>(camera.position),
