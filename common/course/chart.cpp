@@ -5,9 +5,16 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 namespace sr::course {
+
+namespace {
+
+constexpr const char* no_value = "nan";  // where gnuplot interrupts a line; an empty field it would pass over
+
+}  // namespace
 
 Columns speed_accuracy(const std::vector<std::string>& more) {
     Columns columns{.headers = {"method", "effort", "seconds", "error", "error_se"},
@@ -53,7 +60,27 @@ void Chart::add(std::string_view series, double x, double y, const std::vector<C
 }
 
 void Chart::row(std::vector<Cell> cells) {
-    data_->table.add(std::move(cells));
+    Rows&          table   = data_->table;
+    const Columns& columns = data_->axes.columns;
+    table.add(std::move(cells));
+    const auto& row = table.rows.back();
+    for (const std::string& drawn : {columns.x, columns.y, columns.error, columns.min, columns.max}) {
+        if (drawn.empty()) continue;
+        const Cell& value = row[table.column(drawn)];
+        const bool  gap   = drawn != columns.x && !value.is_number() && value.text() == no_value;
+        if (!gap && !std::isfinite(value.number()))
+            throw std::invalid_argument(
+                fmt::format("chart {}: {} has {} = {} at {} = {}; a curve needs finite numbers, or a gap()",
+                            data_->name, row[table.column(columns.series)].text(), drawn, value.text(),
+                            columns.x, row[table.column(columns.x)].text()));
+    }
+}
+
+void Chart::gap(std::string_view series, double x) {
+    std::vector<Cell> cells(data_->table.header.size(), no_value);
+    cells[data_->table.column(data_->axes.columns.series)] = series;
+    cells[data_->table.column(data_->axes.columns.x)]      = x;
+    row(std::move(cells));
 }
 
 double Chart::at(std::string_view series, double x) const {

@@ -62,7 +62,11 @@ public:
     void add(std::string_view series, double x, double y, const std::vector<Cell>& more = {});
 
     /// One row, a cell for each column.
+    /// @throws std::invalid_argument naming chart, curve and x where a value that is drawn is not finite
     void row(std::vector<Cell> cells);
+
+    /// Says that the curve has no value here: its line is interrupted, and the CSV holds "nan".
+    void gap(std::string_view series, double x);
 
     /// The y of a curve where x is exactly this. @throws std::out_of_range when there is no such point
     [[nodiscard]] double at(std::string_view series, double x) const;

@@ -97,19 +97,16 @@ Extent x_extent(const ChartData& chart, const std::vector<Curve>& curves) {
 }
 
 /// In the words of the note under the chart, for a curve of which no point can be drawn.
-/// @throws std::invalid_argument when one of its values is not finite: no axis could show that
 std::string why_not_shown(const ChartData& chart, const Rows& grouped, const Curve& curve) {
-    bool all_zero = true;
+    bool all_gaps = true;
+    bool all_zero = is_log(chart, axis::y);
     for (std::size_t i = curve.first_row; i <= curve.last_row; ++i) {
-        const double x = grouped.rows[i][grouped.column(chart.axes.columns.x)].number();
-        const double y = grouped.rows[i][grouped.column(chart.axes.columns.y)].number();
-        if (!std::isfinite(x) || !std::isfinite(y))
-            throw std::invalid_argument(fmt::format(
-                "chart {}: no point of {} can be drawn, and a value of it is not finite: x = {}, y = {}",
-                chart.name, curve.name, x, y));
-        all_zero = all_zero && y == 0;
+        const Cell& y = grouped.rows[i][grouped.column(chart.axes.columns.y)];
+        all_gaps      = all_gaps && !y.is_number();
+        all_zero      = all_zero && (!y.is_number() || y.number() == 0);
     }
-    return all_zero && is_log(chart, axis::y) ? "0 everywhere" : "nowhere above 0";
+    if (all_gaps) return "nothing but gaps";
+    return all_zero ? "0 everywhere" : "nowhere above 0";
 }
 
 /// A label's lines and the room that they take.
@@ -243,8 +240,9 @@ Curves curves_of(const ChartData& chart, const Rows& grouped) {
             all.push_back({row[series].text(), static_cast<Ink>(all.size() % inks), i, i, {}});
         all.back().last_row = i;
         const Point p{row[x].number(), row[y].number()};
-        const bool shown = std::isfinite(p.x) && std::isfinite(p.y) && (p.x > 0 || !is_log(chart, axis::x)) &&
-                           (p.y > 0 || !is_log(chart, axis::y));
+        const bool  gap = !row[y].is_number();
+        const bool  shown =
+            !gap && (p.x > 0 || !is_log(chart, axis::x)) && (p.y > 0 || !is_log(chart, axis::y));
         if (shown) all.back().points.push_back(p);
     }
     if (all.empty()) throw std::invalid_argument(fmt::format("chart {}: it has no rows", chart.name));

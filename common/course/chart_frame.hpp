@@ -18,7 +18,7 @@ struct Curve {
     Ink                ink;
     std::size_t        first_row;
     std::size_t        last_row;
-    std::vector<Point> points;  ///< those that its axes can show: finite, and positive where logarithmic
+    std::vector<Point> points;  ///< those that its axes can show: no gaps, and positive where logarithmic
 };
 
 /// The curves that the axes can show, and those that they can't: no value of them is positive on a logarithmic axis.
@@ -27,8 +27,7 @@ struct Curves {
     std::string not_shown = {};  ///< the note on the others: "not shown: float (0 everywhere)"; or empty
 };
 
-/// @throws std::invalid_argument naming the chart when no curve can be drawn, and also the curve when that is because
-///         of values that are not finite
+/// @throws std::invalid_argument naming the chart when no curve can be drawn
 [[nodiscard]] Curves curves_of(const ChartData& chart, const Rows& grouped);
 
 /// One axis: the values at its ends, and how they map to the canvas.

@@ -137,10 +137,48 @@ TEST_CASE("a box is covered by what crosses it and not by what passes") {
 TEST_CASE("what no axis can show is told with chart and curve") {
     Chart chart{"c", "t", {.x = "x", .y = "y", .log = axis::y}};
     CHECK_THROWS_WITH((void)laid_out(chart), "chart c: it has no rows");
-    chart.add("good", 1, 1);
-    chart.add("bad", 1, 0);
-    chart.add("bad", 2, std::numeric_limits<double>::quiet_NaN());
-    CHECK_THROWS_WITH((void)laid_out(chart), doctest::Contains("chart c: no point of bad can be drawn"));
+    CHECK_NOTHROW(chart.add("good", 1, 1));
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    CHECK_THROWS_WITH_AS(chart.add("good", 2, std::numeric_limits<double>::quiet_NaN()),
+                         "chart c: good has y = nan at x = 2; a curve needs finite numbers, or a gap()",
+                         std::invalid_argument);
+    CHECK_THROWS_WITH(chart.add("good", 2, infinity), doctest::Contains("good has y = inf at x = 2"));
+    CHECK_THROWS_WITH(chart.add("good", infinity, 2), doctest::Contains("good has x = inf"));
+    CHECK_THROWS_WITH(chart.row({"good", "", 2}), doctest::Contains("good has x ="));
+
+    Chart bars{"c", "t", {.x = "time [s]", .y = "error", .columns = speed_accuracy()}};
+    CHECK_NOTHROW(bars.row({"good", 1, 0.5, 0.25, 0.125}));
+    CHECK_THROWS_WITH(bars.row({"good", 1, 0.5, 0.25, infinity}), doctest::Contains("error_se = inf"));
+}
+
+TEST_CASE("a gap interrupts the line") {
+    const auto with = [](bool gap) {
+        Chart chart{"c", "t", {.x = "x", .y = "y"}};
+        for (const double x : {1.0, 2.0, 3.0}) {
+            if (gap && x == 2)
+                chart.gap("a", x);
+            else
+                chart.add("a", x, x);
+        }
+        chart.gap("b", 1);
+        return chart;
+    };
+    const Chart  chart  = with(true);
+    const Curves curves = curves_of(chart.data(), grouped_by_series(chart.data()));
+    REQUIRE(curves.shown.size() == 1);
+    CHECK(curves.shown[0].points == std::vector<Point>{{1, 1}, {3, 3}});
+    CHECK(curves.not_shown == "not shown: b (nothing but gaps)");
+    CHECK(to_csv(chart.data().table) == "series,x,y\na,1,1\na,2,nan\na,3,3\nb,1,nan\n");
+
+    const test::ScratchFolder folder{"gap"};
+    const auto                lines_drawn = [&](const Chart& drawn) {
+        write_csv(folder.path / "c.csv", grouped_by_series(drawn.data()));
+        const auto picture = run_gnuplot(chart_script(drawn.data(), folder.path / "c.csv", "svg"));
+        return picture ? std::count(picture->begin(), picture->end(), 'L')
+                                      : -1;  // "M1,1 L2,2" is a line in SVG
+    };
+    const auto whole = lines_drawn(with(false));
+    if (whole >= 0) CHECK(lines_drawn(chart) == whole - 2);
 }
 
 TEST_CASE("a curve that a logarithmic axis can't show is named under the chart") {
