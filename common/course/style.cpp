@@ -105,7 +105,7 @@ std::string Dialect::finished(std::string picture) const {
         replace("<svg", "<svg xml:space=\"preserve\"");  // else viewers drop the spaces between two faces
         replace("<title>Gnuplot</title>\n", "");         // a browser would show it over the whole picture
     }
-    return picture;
+    return (tex_ ? "% needs \\usepackage{gnuplot-lua-tikz}\n" : "") + picture;
 }
 
 std::string Dialect::power_of_ten() const {

@@ -39,7 +39,7 @@ public:
     [[nodiscard]] std::string terminal(Canvas canvas) const;     ///< "set terminal ..."
     [[nodiscard]] std::string text(std::string_view tex) const;  ///< a label, quoted
     [[nodiscard]] std::string font(FontSize size) const;         ///< "font '...'"
-    /// What gnuplot drew, with what it leaves out.
+    /// What gnuplot drew, with what it leaves out; a .tex says which package it needs.
     [[nodiscard]] std::string finished(std::string picture) const;
     [[nodiscard]] std::string power_of_ten() const;  ///< the format of a logarithmic axis, quoted
 

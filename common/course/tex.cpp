@@ -313,16 +313,18 @@ std::string tex_to_latex(std::string_view tex) {
     (void)read(tex);  // what the other pictures could not show is an error in this one too
     std::string latex;
     for (const Stretch& stretch : stretches(tex)) {
-        if (stretch.formula)
+        if (stretch.formula) {
             latex += "$" + stretch.text + "$";
-        else
-            for (const char c : escape_latex(stretch.text))
-                if (c == '"') {  // it opens before a word, where LaTeX's own would close; gnuplot can't read two quotes
-                    const bool opens = latex.empty() || latex.ends_with(' ') || latex.ends_with('(');
-                    latex += opens ? "``" : "{\\textquotedblright}";
-                } else {
-                    latex += c;
-                }
+            continue;
+        }
+        // A quote before a word opens it, any other closes it, by name since gnuplot can't read two apostrophes.
+        for (const char c : escape_latex(stretch.text)) {
+            const bool opens = latex.empty() || latex.ends_with(' ') || latex.ends_with('(');
+            if (c != '"')
+                latex += c;
+            else
+                latex += opens ? "``" : "{\\textquotedblright}";
+        }
     }
     return latex;
 }

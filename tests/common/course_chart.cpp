@@ -240,6 +240,7 @@ TEST_CASE("gnuplot draws every format from the CSV") {
             for (const char* text : {"method_0", "method_4", "crossover", "error [1]", "&amp; more"})
                 CHECK(picture->find(text) != std::string::npos);
     }
+    CHECK(Dialect{"tex"}.finished("\\begin").starts_with("% needs \\usepackage{gnuplot-lua-tikz}\n\\begin"));
     // without the file there is no picture: it is the CSV that is drawn
     CHECK_THROWS_WITH_AS((void)run_gnuplot(chart_script(chart.data(), folder.path / "none.csv", "svg")),
                          doctest::Contains("none.csv"), std::runtime_error);
