@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "course/chapter.hpp"
+#include "course/number.hpp"
 #include "diagrams.hpp"
 #include "geometry/hierarchy.hpp"
 #include "race.hpp"
@@ -57,7 +58,7 @@ void pinhole(course::Chapter& chapter) {
 }
 
 /// 1.2  What is seen along it?
-void render(course::Chapter& chapter, const std::string& name, const Shot& shot) {
+void render(course::Chapter& chapter, const std::string& name, const std::string& title, const Shot& shot) {
     // Moved to the camera in double, then rounded: section 1.5 says why.
     const Hierarchy<float> hierarchy(convert<float>(to_camera_space(shot.scene.mesh, shot.camera)));
     const auto             camera  = convert<float>(in_camera_space(shot.camera));
@@ -83,27 +84,28 @@ void render(course::Chapter& chapter, const std::string& name, const Shot& shot)
     if (std::none_of(looks.pixels().begin(), looks.pixels().end(), is_something))
         chapter.note(name + ": no ray hits anything, its pictures are blank");
 
-    const auto show = [&](const std::string& suffix, Spectrum Look::*way, const std::string& caption) {
+    const auto facts =
+        fmt::format("{}, {} a pixel", course::counted(std::ssize(shot.scene.mesh.faces), "triangle"),
+                    course::counted(side * side, "ray"));
+    const auto show = [&](const std::string& suffix, Spectrum Look::*way, const std::string& by,
+                          const std::string& meaning) {
         Image<Spectrum> film(camera.width, camera.height);
         for (std::size_t i = 0; i < film.pixels().size(); ++i) film.pixels()[i] = looks.pixels()[i].*way;
-        chapter.render(name + "_" + suffix,
-                       fmt::format("{} triangles, {} rays a pixel, shaded {}.", shot.scene.mesh.faces.size(),
-                                   side * side, caption),
-                       film);
+        chapter.render(name + "_" + suffix, title + " by " + by, facts + ": " + meaning + ".", film);
     };
-    show("depth", &Look::depth, "by depth: bright is near, by the square of the nearness; black is nothing");
-    show("normal", &Look::normal, "by normal: each axis is a primary colour");
-    show("head_light", &Look::head_light, "by a light at the eye, equation (1.4)");
+    show("depth", &Look::depth, "depth", "bright is near, by the square of the nearness; black is nothing");
+    show("normal", &Look::normal, "normal", "each axis is a primary colour");
+    show("head_light", &Look::head_light, "a head light", "a light at the eye, equation (1.4)");
 }
 
 void what_is_seen(course::Chapter& chapter) {
     chapter.section("1.2 What is seen along it");
     const auto& options = chapter.options();
     if (options.scene) {
-        render(chapter, "scene", shot_of_file(*options.scene, options.size));
+        render(chapter, "scene", "The scene", shot_of_file(*options.scene, options.size));
     } else {
-        render(chapter, "cornell_box", cornell_shot(options.size));
-        render(chapter, "teapot", teapot_shot(64, options.size));
+        render(chapter, "cornell_box", "The Cornell box", cornell_shot(options.size));
+        render(chapter, "teapot", "The teapot", teapot_shot(64, options.size));
     }
 }
 
@@ -235,8 +237,9 @@ void which_is_faster(course::Chapter& chapter) {
     const double tests   = draft ? 2e6 : 1.5e7;
     const int    side    = chapter.options().size;
 
-    auto by_triangles = chapter.chart(
-        "triangles", fmt::format("One image of {0} x {0} pixels, one thread", side), race_axes("triangles"));
+    auto by_triangles =
+        chapter.chart("triangles", fmt::format("One image of ${0} \\times {0}$ pixels, one thread", side),
+                      race_axes("triangles"));
     Curves                 triangles;
     const std::vector<int> levels{1, 2, 4, 8, 16, 32, 64, 125};
     std::vector<int>       edges{16};

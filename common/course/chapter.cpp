@@ -10,6 +10,7 @@
 #include "course/draw.hpp"
 #include "course/errors.hpp"
 #include "course/gnuplot.hpp"
+#include "course/number.hpp"
 #include "course/terminal.hpp"
 #include "image/whole_file.hpp"
 #include "image/write_image.hpp"
@@ -65,16 +66,12 @@ std::vector<std::string> write_drawn(const fs::path& folder, const std::string& 
 void print_claims(const std::vector<Claim>& claims) {
     if (claims.empty()) return;
     const auto failed = std::count_if(claims.begin(), claims.end(), [](const Claim& c) { return !c.pass(); });
-    fmt::print("\n{}", to_text(to_rows(claims)));
+    fmt::print("\n{}", to_text(to_rows(claims), claim_text));
     if (failed == 0)
-        fmt::print("{}\n", emphasise(fmt::format("{} claims, all hold", claims.size()), Emphasis::good));
+        fmt::print("{}\n", emphasise(counted(std::ssize(claims), "claim") + ", all hold", Emphasis::good));
     else
         fmt::print("{}\n",
                    emphasise(fmt::format("{} of {} claims failed", failed, claims.size()), Emphasis::bad));
-}
-
-std::string counted(std::ptrdiff_t number, std::string_view what) {
-    return fmt::format("{} {}{}", number, what, number == 1 ? "" : "s");
 }
 
 /// Says what there is, and where: charts without gnuplot are data and no more.
@@ -125,12 +122,12 @@ Diagram Chapter::diagram(std::string name, std::string title) {
     return diagrams_.emplace_back(std::move(name), std::move(title));
 }
 
-void Chapter::render(std::string_view name, std::string_view caption, const Image<Spectrum>& film) {
-    const std::string stem{name};
-    take_name(stem);
-    write_png(folder() / (stem + ".png"), film);
-    write_hdr(folder() / (stem + ".hdr"), film);
-    figures_.push_back({stem, "render", "", std::string{caption}, {stem + ".png", stem + ".hdr"}});
+void Chapter::render(std::string name, std::string title, std::string caption, const Image<Spectrum>& film) {
+    take_name(name);
+    const std::vector<std::string> files{name + ".png", name + ".hdr"};
+    write_png(folder() / files[0], film);
+    write_hdr(folder() / files[1], film);
+    figures_.push_back({std::move(name), "render", std::move(title), std::move(caption), files});
 }
 
 void Chapter::claim(std::string name, Measured value) {

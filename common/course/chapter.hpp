@@ -48,8 +48,8 @@ public:
     [[nodiscard]] Chart   chart(std::string name, std::string title, Axes axes);
     [[nodiscard]] Diagram diagram(std::string name, std::string title);
 
-    /// Writes NAME.png for looking and NAME.hdr for measuring.
-    void render(std::string_view name, std::string_view caption, const Image<Spectrum>& film);
+    /// Writes NAME.png for looking and NAME.hdr for measuring. Title and caption are TeX.
+    void render(std::string name, std::string title, std::string caption, const Image<Spectrum>& film);
 
     /// |measured - expected| <= tolerance, or the program exits with 1.
     void claim(std::string name, Measured value);

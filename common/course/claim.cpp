@@ -6,6 +6,9 @@
 
 #include <cmath>
 
+#include "course/number.hpp"
+#include "course/table.hpp"
+
 namespace sr::course {
 
 double Claim::error() const {
@@ -28,6 +31,14 @@ Rows to_rows(const std::vector<Claim>& claims) {
         rows.add({claim.name, claim.value.expected, claim.value.measured, claim.error(),
                   claim.value.tolerance, claim.pass()});
     return rows;
+}
+
+std::string claim_text(const std::vector<Cell>& row, std::size_t column) {
+    constexpr std::size_t expected = 1, measured = 2, error = 3, tolerance = 4;
+    if (column == expected || column == measured)
+        return to_tolerance(row[column].number(), row[tolerance].number());
+    if (column == error) return fmt::format("{:.2g}", row[column].number());
+    return four_digits(row, column);
 }
 
 }  // namespace sr::course

@@ -30,4 +30,7 @@ struct Claim {
 /// claim,expected,measured,error,tolerance,pass
 [[nodiscard]] Rows to_rows(const std::vector<Claim>& claims);
 
+/// What a person reads of one cell of these rows: digits down to the claim's tolerance.
+[[nodiscard]] std::string claim_text(const std::vector<Cell>& row, std::size_t column);
+
 }  // namespace sr::course

@@ -7,6 +7,7 @@
 #include "course/chart_frame.hpp"
 #include "course/draw.hpp"
 #include "course/gnuplot.hpp"
+#include "course/number.hpp"
 
 namespace sr::course {
 
@@ -52,7 +53,7 @@ std::string log_ticks(char name, const Scale& scale, const Dialect& dialect) {
             const bool   named = digit == 1 || (decades < 1.7 && (digit == 2 || digit == 5));
             if (value < scale.min * (1 - 1e-9) || value > scale.max * (1 + 1e-9)) continue;
             const std::string label =
-                plain ? fmt::format("{:.10g}", value)
+                plain ? (value < 1 ? fmt::format("{:.10g}", value) : whole(std::llround(value)))
                       : fmt::format("${}10^{{{}}}$", digit == 1 ? "" : fmt::format("{}\\cdot", digit), power);
             if (named)
                 major.push_back(fmt::format("{} {:.10g}", dialect.text(label), value));

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <exception>
 
+#include "course/claim.hpp"
 #include "course/csv.hpp"
 #include "course/tex.hpp"
 #include "image/whole_file.hpp"
@@ -65,14 +66,12 @@ bool can_be_shown(const std::string& file) {
 }
 
 std::string card(const std::string& chapter, const Figure& figure) {
-    const std::string title   = tex_to_html(figure.title.empty() ? figure.name : figure.title);
-    const auto        picture = std::find_if(figure.files.begin(), figure.files.end(), can_be_shown);
-    std::string       card    = "<figure>\n";
+    const auto  picture = std::find_if(figure.files.begin(), figure.files.end(), can_be_shown);
+    std::string card    = "<figure>\n";
     if (picture != figure.files.end())
         card += fmt::format("<a href=\"{0}/{1}\"><img src=\"{0}/{1}\" alt=\"{2}\" loading=\"lazy\"></a>\n",
-                            html(chapter), html(*picture),
-                            html(tex_to_plain(figure.title.empty() ? figure.name : figure.title)));
-    card += fmt::format("<figcaption><p><strong>{}</strong></p>\n", title);
+                            html(chapter), html(*picture), html(tex_to_plain(figure.title)));
+    card += fmt::format("<figcaption><p><strong>{}</strong></p>\n", tex_to_html(figure.title));
     if (!figure.caption.empty()) card += fmt::format("<p>{}</p>\n", tex_to_html(figure.caption));
     card += "<p class=\"files\">";
     for (const std::string& file : figure.files)
@@ -88,9 +87,9 @@ std::string claims_table(const fs::path& csv) {
     table += "</tr>\n";
     for (const auto& row : claims.rows) {
         table += "<tr>";
-        for (const Cell& cell : row) {
-            const std::string text = cell.is_number() ? fmt::format("{:.4g}", cell.number()) : cell.text();
-            const bool        pass = &cell == &row.back();
+        for (std::size_t column = 0; column < row.size(); ++column) {
+            const std::string text = claim_text(row, column);
+            const bool        pass = column + 1 == row.size();
             table += fmt::format("<td{}>{}</td>", pass ? fmt::format(" class=\"{}\"", html(text)) : "",
                                  html(text));
         }

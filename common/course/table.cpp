@@ -5,18 +5,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
+#include "course/number.hpp"
 #include "course/terminal.hpp"
 
 namespace sr::course {
 
 namespace {
-
-std::string shown(const Cell& cell, int digits) {
-    const double number = cell.number();
-    const bool whole = cell.is_number() && cell.text().find_first_not_of("-0123456789") == std::string::npos;
-    return !cell.is_number() || whole ? cell.text() : fmt::format("{:.{}g}", number, digits);
-}
 
 /// `text` in a column of `columns`, its spaces on the left or the right.
 std::string padded(const std::string& text, std::size_t columns, bool right) {
@@ -26,14 +22,22 @@ std::string padded(const std::string& text, std::size_t columns, bool right) {
 
 }  // namespace
 
-std::string to_text(const Rows& table, int digits) {
+std::string four_digits(const std::vector<Cell>& row, std::size_t column) {
+    const Cell& cell = row[column];
+    if (!cell.is_number()) return cell.text();
+    const double number   = cell.number();
+    const bool   is_whole = number == std::trunc(number) && std::abs(number) < 1e15;
+    return is_whole ? whole(static_cast<std::int64_t>(number)) : fmt::format("{:.4g}", number);
+}
+
+std::string to_text(const Rows& table, const CellText& shown) {
     const std::size_t        columns = table.header.size();
     std::vector<std::size_t> widths(columns);
     std::vector<bool>        numbers(columns, !table.rows.empty());
     for (std::size_t c = 0; c < columns; ++c) {
         widths[c] = width(table.header[c]);
         for (const auto& row : table.rows) {
-            widths[c]  = std::max(widths[c], width(shown(row[c], digits)));
+            widths[c]  = std::max(widths[c], width(shown(row, c)));
             numbers[c] = numbers[c] && row[c].is_number();
         }
     }
@@ -47,13 +51,12 @@ std::string to_text(const Rows& table, int digits) {
         return joined;
     };
     text += emphasise(line([&](std::size_t c) { return table.header[c]; }), Emphasis::strong) + '\n';
-    for (const auto& row : table.rows)
-        text += line([&](std::size_t c) { return shown(row[c], digits); }) + '\n';
+    for (const auto& row : table.rows) text += line([&](std::size_t c) { return shown(row, c); }) + '\n';
     return text;
 }
 
-void print(const Rows& table, int digits) {
-    fmt::print("{}", to_text(table, digits));
+void print(const Rows& table) {
+    fmt::print("{}", to_text(table));
 }
 
 }  // namespace sr::course

@@ -38,7 +38,7 @@ void small_chapter(Chapter& chapter) {
     chart.caption("slope $1$");
     Diagram diagram = chapter.diagram("arrow", "An arrow");
     diagram.arrow({0, 0}, {1, 1});
-    chapter.render("grey", "All $L = 0.5$", Image<Spectrum>(32, 16, {0.5F, 0.5F, 0.5F}));
+    chapter.render("grey", "A grey image", "All $L = 0.5$", Image<Spectrum>(32, 16, {0.5F, 0.5F, 0.5F}));
     chapter.say("took 3 s");
     chapter.claim("99.1 one, or nearly", {.expected = 1, .measured = 1.25, .tolerance = 0.25});
 }
@@ -56,7 +56,7 @@ TEST_CASE("a chapter leaves its figures, their captions, its claims and the page
     CHECK(ended.code == 0);
     CHECK(ended.err == "");
     CHECK(contains(ended.out, "99.1 A section"));
-    CHECK(contains(ended.out, "1 claims, all hold"));
+    CHECK(contains(ended.out, "1 claim, all hold"));
     CHECK(read_text(folder / "line.csv") ==
           "series,x [m],y [m]\ncurve,0,0\ncurve,1,1\ncurve,2,2\ncurve,3,3\n");
     CHECK(read_text(folder / "claims.csv") ==
@@ -66,7 +66,7 @@ TEST_CASE("a chapter leaves its figures, their captions, its claims and the page
     CHECK(read_csv(folder / "captions.csv").rows.size() == 3);
     const std::string page = read_text(out.path / "index.html");
     for (const char* part : {"99_demo/grey.png", "99_demo/grey.hdr", "A line &amp; more", "99_demo/line.csv",
-                             "<i>L</i>", "99.1 one, or nearly", "class=\"yes\""})
+                             "<i>L</i>", "A grey image", "99.1 one, or nearly", "class=\"yes\""})
         CHECK(contains(page, part));
     for (const auto& entry : std::filesystem::directory_iterator(folder))
         CHECK(entry.path().filename().string().front() != '.');

@@ -219,6 +219,13 @@ TEST_CASE("a logarithmic axis of three decades or more is numbered in powers of 
     CHECK(script(100).find("'100'") == std::string::npos);
     CHECK(script(1).find("'0.01'") != std::string::npos);
     CHECK(script(1).find("10^") == std::string::npos);
+    const auto pixels = [] {
+        Chart chart{"c", "t", {.x = "x", .y = "y", .log = axis::x}};
+        chart.add("a", 256, 1);
+        chart.add("a", 65536, 2);
+        return chart_script(chart.data(), "c.csv", "svg");
+    };
+    CHECK(pixels().find("'10\u00a0000'") != std::string::npos);
 }
 
 TEST_CASE("gnuplot draws every format from the CSV") {

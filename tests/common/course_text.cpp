@@ -7,6 +7,7 @@
 
 #include "course/claim.hpp"
 #include "course/csv.hpp"
+#include "course/number.hpp"
 #include "course/progress.hpp"
 #include "course/table.hpp"
 #include "course/tex.hpp"
@@ -68,12 +69,48 @@ TEST_CASE("a table aligns numbers right and text left, counting letters and not 
     CHECK(to_text(table) == "  näme     value\n  x          1.5\n  °°°°°°      22\n");
 }
 
+TEST_CASE("whole numbers are grouped from five digits on") {
+    CHECK(whole(0) == "0");
+    CHECK(whole(1024) == "1024");
+    CHECK(whole(-1024) == "-1024");
+    CHECK(whole(65280) == "65\u00a0280");
+    CHECK(whole(-100'000) == "-100\u00a0000");
+    CHECK(whole(1'000'000) == "1\u00a0000\u00a0000");
+    CHECK(counted(1, "ray") == "1 ray");
+    CHECK(counted(65280, "triangle") == "65\u00a0280 triangles");
+    Rows table{{"n"}};
+    table.add({65280});
+    CHECK(to_text(table).ends_with("  65\u00a0280\n"));
+}
+
+TEST_CASE("a value has the digits that its tolerance lets count") {
+    CHECK(to_tolerance(39.30765, 5e-5) == "39.30765");
+    CHECK(to_tolerance(39.307649, 5e-5) == "39.30765");
+    CHECK(to_tolerance(1.9, 0.05) == "1.90");
+    CHECK(to_tolerance(1.9141, 0.05) == "1.91");
+    CHECK(to_tolerance(2.84217e-13, 1e-9) == "2.8e-13");
+    CHECK(to_tolerance(-115.352, 1) == "-115");
+    CHECK(to_tolerance(61195, 0) == "61\u00a0195");
+    CHECK(to_tolerance(61195.25, 100) == "61195");
+    CHECK(to_tolerance(0.1 + 0.2, 0) == "0.30000000000000004");
+    CHECK(to_tolerance(0, 0.5) == "0");
+    CHECK(to_tolerance(std::numeric_limits<double>::quiet_NaN(), 0.5) == "nan");
+}
+
+TEST_CASE("a table of claims shows how far the measured is from the expected") {
+    const Rows rows = to_rows({{"1.3 a", {39.3, 39.30012, 5e-4}}});
+    CHECK(to_text(rows, claim_text) ==
+          "  claim   expected   measured     error   tolerance   pass\n"
+          "  1.3 a    39.3000    39.3001   0.00012      0.0005   yes\n");
+}
+
 TEST_CASE("TeX becomes gnuplot's text, LaTeX and HTML") {
     const std::string ray = "ray $\\mathbf{o} + t\\,\\mathbf{d}$";
     CHECK(tex_to_html(ray) == "ray <b>o</b>\u00a0+\u00a0<i>t</i>\u2009<b>d</b>");
     CHECK(tex_to_enhanced(ray) == "ray {/serif:Bold o}\u00a0+\u00a0{/serif:Italic t}\u2009{/serif:Bold d}");
     CHECK(tex_to_latex(ray) == ray);
-    CHECK(tex_to_latex("a \"hit\", (\"$t$ in $T$\")") == "a ``hit{\\textquotedblright}, (``$t$ in $T${\\textquotedblright})");
+    CHECK(tex_to_latex("a \"hit\", (\"$t$ in $T$\")") ==
+          "a ``hit{\\textquotedblright}, (``$t$ in $T${\\textquotedblright})");
     CHECK(tex_to_html("$t_{\\min}$, $n^{-1/2}$") == "<i>t</i><sub>min</sub>, <i>n</i><sup>−1/2</sup>");
     CHECK(tex_to_enhanced("$\\omega_i$") == "{/serif:Italic ω}_{{/serif:Italic i}}");
     CHECK(tex_to_plain("$\\sin\\theta \\le 1$ at \\$5") == "sin\u2009θ\u00a0≤\u00a01 at $5");
