@@ -119,14 +119,14 @@ void ray_optics(course::Chapter& chapter) {
     double depth = 0;  // [m], of the Cornell box
     for (const auto& vertex : cornell_box().mesh.vertices) depth = std::fmax(depth, vertex.z * 1e-3);
     chapter.claim("1.3 light crosses the Cornell box in [ns]",
-                  {.expected = 1.8653, .measured = depth / speed_of_light * 1e9, .tolerance = 5e-5});
+                  {.expected = 1.865, .measured = depth / speed_of_light * 1e9, .tolerance = 5e-4});
 
     // A hole of diameter D blurs a far point to a disk of D by its size and of 2.44 lambda f / D by diffraction.
     const double best = std::sqrt(2.44 * wavelength * focal_length);
     chapter.claim("1.3 a real pinhole of this camera is best at [mm]",
-                  {.expected = 0.21673, .measured = best * 1e3, .tolerance = 5e-5});
+                  {.expected = 0.217, .measured = best * 1e3, .tolerance = 5e-4});
     chapter.claim("1.3 and resolves so many points across its film",
-                  {.expected = 115.35, .measured = film_side / best, .tolerance = 0.01});
+                  {.expected = 115, .measured = film_side / best, .tolerance = 0.5});
 }
 
 /// 1.4  Is the image the same if the loops are swapped?
@@ -150,32 +150,43 @@ void loops_swapped(course::Chapter& chapter) {
     const int     threads = chapter.options().threads;
     course::Rows  table{{"scene", "space", "precision", "pixels hit", "hit or missed", "other triangle",
                          "at an edge [pixel]", "unexplained"}};
-    for (const auto& [name, shot, pixels_hit] :
-         {std::tuple{"Cornell box", cornell_shot(side), 61'195}, {"teapot", teapot_shot(64, side), 13'790}}) {
+    for (const auto& [name, shot, pixels_hit, float_differs] :
+         {std::tuple{"Cornell box", cornell_shot(side), 61'195, 0},
+          {"teapot", teapot_shot(64, side), 13'790, 1}}) {
         const auto moved_mesh   = to_camera_space(shot.scene.mesh, shot.camera);
         const auto moved_camera = in_camera_space(shot.camera);
-        for (const auto& [space, precision, difference] :
-             {std::tuple{"world", "float", compare<float>(shot.scene.mesh, shot.camera, threads)},
-              {"world", "double", compare<double>(shot.scene.mesh, shot.camera, threads)},
-              {"camera", "float", compare<float>(moved_mesh, moved_camera, threads)},
-              {"camera", "double", compare<double>(moved_mesh, moved_camera, threads)}}) {
+        for (const auto& [space, precision, other, difference] :
+             {std::tuple{"world", "float", float_differs,
+                         compare<float>(shot.scene.mesh, shot.camera, threads)},
+              {"world", "double", 0, compare<double>(shot.scene.mesh, shot.camera, threads)},
+              {"camera", "float", 0, compare<float>(moved_mesh, moved_camera, threads)},
+              {"camera", "double", 0, compare<double>(moved_mesh, moved_camera, threads)}}) {
             table.add({name, space, precision, difference.hit, difference.hit_or_missed,
                        difference.other_triangle, difference.edge_distance, difference.unexplained});
             const auto which = fmt::format("1.4 {}, {} in {} space: pixels", name, precision, space);
-            chapter.claim(which + " hit by one only",
-                          {.expected = 0, .measured = double(difference.hit_or_missed), .tolerance = 0});
-            chapter.claim(which + " that differ without an excuse",
-                          {.expected = 0, .measured = double(difference.unexplained), .tolerance = 0});
-            chapter.claim(
-                which + " hit by both",
-                {.expected = double(pixels_hit), .measured = double(difference.hit), .tolerance = 0});
-            if (std::string_view(space) == "camera") {
-                chapter.claim(which + " that name another triangle",
-                              {.expected = 0, .measured = double(difference.other_triangle), .tolerance = 0});
-            }
+            const auto claim = [&](const std::string& what, int expected, int measured) {
+                chapter.claim(which + what, {.expected = double(expected), .measured = double(measured)});
+            };
+            claim(" hit by one only", 0, difference.hit_or_missed);
+            claim(" that differ without an excuse", 0, difference.unexplained);
+            claim(" hit by both", pixels_hit, difference.hit);
+            claim(" that name another triangle", other, difference.other_triangle);
         }
     }
     chapter.say(table);
+}
+
+/// 1.4  How finely does a direction of some 300 pixels' length tell pixels apart?
+template <class T>
+double step_at(T length) {
+    return double(std::nextafter(length, 2 * length) - length);
+}
+
+void rounding(course::Chapter& chapter) {
+    chapter.claim("1.4 steps of a float of 300 pixels [pixel]",
+                  {.expected = 3e-5, .measured = step_at(300.0F), .tolerance = 0.5e-5});
+    chapter.claim("1.4 steps of a double of 300 pixels [pixel]",
+                  {.expected = 6e-14, .measured = step_at(300.0), .tolerance = 0.5e-14});
 }
 
 /// 1.5  What if the whole scene stands far from the origin?
@@ -184,6 +195,12 @@ double wrong_pixels(const VisibilityImage<float>& image, const VisibilityImage<d
     for (std::size_t i = 0; i < exact.pixels().size(); ++i)
         wrong += image.pixels()[i].face != exact.pixels()[i].face ? 1 : 0;
     return wrong / double(exact.pixels().size());
+}
+
+double covered_pixels(const VisibilityImage<double>& image) {
+    const auto hit =
+        std::count_if(image.pixels().begin(), image.pixels().end(), [](const auto& p) { return p.hit(); });
+    return double(hit) / double(image.pixels().size());
 }
 
 void far_from_the_origin(course::Chapter& chapter) {
@@ -224,9 +241,38 @@ void far_from_the_origin(course::Chapter& chapter) {
             fmt::format("1.5 in world space, pixels wrong at {:.0e} lengths [%]", distance),
             {.expected = share, .measured = chart.at("float, world space", distance), .tolerance = 0.05});
     }
+    chapter.claim("1.5 pixels that the teapot covers [%]",
+                  {.expected = 33.6, .measured = 100 * covered_pixels(exact), .tolerance = 0.05});
     chart.caption(
         "Subtract the camera's position in double before rounding to float, and the distance no longer "
         "matters.");
+}
+
+/// 1.6  How many pixels see another triangle than the rasteriser in double says? Of images 256 wide, whatever
+/// the race's: these numbers are in the text.
+void errors_of_the_race(course::Chapter& chapter) {
+    course::Rows table{{"triangles", "rasteriser [%]", "rays, hierarchy [%]"}};
+    double       worst = 0;
+    for (const int level : {1, 2, 4, 8, 16, 32}) {
+        const auto mesh   = teapot(level);
+        const auto camera = teapot_camera(256, 256);
+        const auto exact  = rasterise(mesh, camera);
+        const auto near   = convert<float>(mesh);
+        const auto seen   = convert<float>(camera);
+        const auto raster = 100 * wrong_pixels(rasterise(near, seen), exact);
+        const auto rays   = 100 * wrong_pixels(trace_primary(Hierarchy<float>(near), seen), exact);
+        table.add({mesh.faces.size(), raster, rays});
+        if (level > 1) worst = std::fmax(worst, std::fmax(raster, rays));
+    }
+    chapter.say(table);
+    const auto triangles = [&](std::size_t row) { return table.rows[row][0].number(); };
+    chapter.claim("1.6 triangles of the coarsest teapot", {.expected = 52, .measured = triangles(0)});
+    chapter.claim("1.6 its wrong pixels, rasteriser [%]",
+                  {.expected = 0.7, .measured = table.rows[0][1].number(), .tolerance = 0.05});
+    chapter.claim("1.6 its wrong pixels, rays [%]",
+                  {.expected = 0.8, .measured = table.rows[0][2].number(), .tolerance = 0.05});
+    chapter.claim("1.6 triangles of the next finer one", {.expected = 240, .measured = triangles(1)});
+    chapter.claim_at_most("1.6 most wrong pixels in 10 000, of this and all that are finer", 100 * worst, 1);
 }
 
 /// 1.6  Which is faster?
@@ -255,11 +301,13 @@ void which_is_faster(course::Chapter& chapter) {
     by_triangles.caption(
         mark_crossing(by_triangles, triangles, "rasteriser", "rays, hierarchy", "triangles") + scaled);
 
-    auto by_pixels =
-        chapter.chart("pixels", "One image of 65 280 triangles, one thread", race_axes("pixels"));
+    constexpr int level           = 32;
+    const auto    triangles_shown = course::counted(std::ssize(teapot(level).faces), "triangle");
+    auto   by_pixels = chapter.chart("pixels", fmt::format("One image of {}, one thread", triangles_shown),
+                                     race_axes("pixels"));
     Curves pixels;
     for (const int edge : edges) {
-        const Race race(32, edge);
+        const Race race(level, edge);
         add(by_pixels, pixels, race, race.run(repeats, tests, chapter.options().seed), double(race.pixels()));
         progress.tick();
     }
@@ -278,7 +326,9 @@ int main(int argc, char** argv) {
         what_is_seen(chapter);
         ray_optics(chapter);
         loops_swapped(chapter);
+        rounding(chapter);
         far_from_the_origin(chapter);
         which_is_faster(chapter);
+        errors_of_the_race(chapter);
     });
 }

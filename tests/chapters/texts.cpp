@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "run_course.hpp"
+#include "text_numbers.hpp"
 
 using namespace sr::test;
 
@@ -28,25 +29,43 @@ Lines lines_of(const std::string& text) {
     return lines;
 }
 
-/// A block of code in a text, and the file that it says it comes from.
+/// A block of code in a text, the file that it says it comes from, and words of the comment that it follows there.
 struct Quote {
     std::string file;
+    std::string marker;
     Lines       code;
 };
 
 /// The fenced blocks that follow a comment "<!-- path: marker -->".
 std::vector<Quote> quotes_of(const std::string& text) {
-    const std::regex   block("<!-- *([^ :]+): [^\n]*-->\\s*```[^\n]*\n([^]*?)\n```");
+    const std::regex   block("<!-- *([^ :]+): ([^\n]*?) *-->\\s*```[^\n]*\n([^]*?)\n```");
     std::vector<Quote> quotes;
     for (std::sregex_iterator match(text.begin(), text.end(), block), none; match != none; ++match)
-        quotes.push_back({match->str(1), lines_of(match->str(2))});
+        quotes.push_back({match->str(1), match->str(2), lines_of(match->str(3))});
     return quotes;
 }
 
-/// Whether the source holds the lines of the quote, one after the other.
-bool occurs(const Lines& quote, const Lines& source) {
-    return !quote.empty() &&
-           std::search(source.begin(), source.end(), quote.begin(), quote.end()) != source.end();
+/// In small letters: a marker begins with one, where the comment begins a sentence.
+std::string lower(std::string text) {
+    for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return text;
+}
+
+/// Whether the source holds the lines of the quote, one after the other, close below its marker.
+bool occurs(const Quote& quote, const Lines& source) {
+    constexpr std::ptrdiff_t close = 4;  // the rest of the comment, and the head of a function
+    if (quote.code.empty()) return false;
+    auto at = source.begin();
+    while (true) {
+        at = std::search(at, source.end(), quote.code.begin(), quote.code.end());
+        if (at == source.end()) return false;
+        const auto first = at - std::min(close, at - source.begin());
+        if (std::any_of(first, at, [&](const std::string& line) {
+                return lower(line).find(lower(quote.marker)) != std::string::npos;
+            }))
+            return true;
+        ++at;
+    }
 }
 
 /// The local files that a text links to or shows; code and anchors left out.
@@ -57,6 +76,24 @@ std::vector<std::string> links_of(const std::string& text) {
     for (std::sregex_iterator match(prose.begin(), prose.end(), link), none; match != none; ++match)
         if (match->str(1).find("://") == std::string::npos) links.push_back(match->str(1));
     return links;
+}
+
+/// The figures, each a paragraph or a table, that are not followed by their caption "*Figure 1.2: ...*".
+Lines uncaptioned(const std::string& text, int chapter) {
+    const std::regex paragraph("[^\n]+(?:\n[^\n]+)*");
+    Lines            missing;
+    std::string      figure;
+    int              number = 0;
+    for (std::sregex_iterator match(text.begin(), text.end(), paragraph), none; match != none; ++match) {
+        const std::string caption =
+            "*Figure " + std::to_string(chapter) + "." + std::to_string(number) + ": ";
+        if (!figure.empty() && !match->str().starts_with(caption)) missing.push_back(figure);
+        const bool shown = match->str().find("docs/pictures/") != std::string::npos;
+        figure           = shown ? match->str() : "";
+        if (shown) ++number;
+    }
+    if (!figure.empty()) missing.push_back(figure);
+    return missing;
 }
 
 std::vector<fs::path> chapter_texts() {
@@ -74,8 +111,8 @@ TEST_CASE("the code that a text quotes is the code that is compiled") {
         INFO(file.string());
         CHECK(quotes.size() >= 1);
         for (const Quote& quote : quotes) {
-            INFO(quote.file << ": " << quote.code.front());
-            CHECK(occurs(quote.code, lines_of(read_text(source_folder / quote.file))));
+            INFO(quote.file << ": " << quote.marker);
+            CHECK(occurs(quote, lines_of(read_text(source_folder / quote.file))));
         }
     }
 }
@@ -85,10 +122,38 @@ TEST_CASE("a quote that differs is found") {
     const auto        quotes = quotes_of(text);
     REQUIRE(quotes.size() == 1);
     CHECK(quotes[0].file == "common/x.hpp");
-    CHECK(occurs(quotes[0].code, lines_of("{\n    int a = b;\n    a += c;\n}\n")));
-    CHECK_FALSE(occurs(quotes[0].code, lines_of("{\n    int a = b;\n    a -= c;\n}\n")));
-    CHECK_FALSE(occurs(quotes[0].code, lines_of("int a = b;\nint d = 0;\na += c;\n")));
-    CHECK_FALSE(occurs({}, lines_of("int a = b;\n")));
+    CHECK(quotes[0].marker == "a sum");
+    CHECK(occurs(quotes[0], lines_of("// A sum.\n{\n    int a = b;\n    a += c;\n}\n")));
+    CHECK(occurs(quotes[0], lines_of("int a = b;\na += c;\n\n\n// a sum\nint a = b;\na += c;\n")));
+    CHECK_FALSE(occurs(quotes[0], lines_of("// a sum\n{\n    int a = b;\n    a -= c;\n}\n")));
+    CHECK_FALSE(occurs(quotes[0], lines_of("// a sum\nint a = b;\nint d = 0;\na += c;\n")));
+    CHECK_FALSE(occurs(quotes[0], lines_of("// a product\nint a = b;\na += c;\n")));
+    CHECK_FALSE(occurs(quotes[0], lines_of("int a = b;\na += c;\n// a sum\n")));
+    CHECK_FALSE(occurs({"", "a sum", {}}, lines_of("// a sum\nint a = b;\n")));
+}
+
+TEST_CASE("every figure of a text has a caption that shows its number") {
+    for (const fs::path& file : chapter_texts()) {
+        const std::string text    = read_text(file);
+        const int         chapter = std::stoi(file.parent_path().filename().string());
+        INFO(file.string());
+        CHECK(uncaptioned(text, chapter) == Lines{});
+    }
+}
+
+TEST_CASE("a figure without its number is found") {
+    const std::string figure  = "![A thing](../../docs/pictures/x.svg)\n\n";
+    const std::string caption = "*Figure 7.1: a thing.*\n\n";
+    CHECK(uncaptioned(figure + caption + "Text.\n", 7) == Lines{});
+    CHECK(uncaptioned("| a |\n|---|\n| " + figure + caption + "Text.\n", 7) == Lines{});
+    CHECK(uncaptioned(figure + "Text.\n", 7).size() == 1);
+    CHECK(uncaptioned(figure + caption + figure + caption, 7).size() == 1);
+    CHECK(uncaptioned(figure + caption, 8).size() == 1);
+}
+
+TEST_CASE("the numbers of a text are read as a person reads them") {
+    CHECK(numbers_of("of 61 195 pixels, 0.8 % at $3\\cdot10^{-5}$ to $10^7$, 10 of 256.") ==
+          std::set<double>{61195, 0.8, 3e-5, 1e7, 10, 256});
 }
 
 TEST_CASE("every picture and file that a text links to exists") {
