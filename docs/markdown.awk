@@ -37,15 +37,17 @@ function pictures_without_links(text,    link) {
 
 # A link to a page of the site or of the web, or to a header's documentation; of any other only its words remain.
 # The site names sections as it likes, so that a link into a page becomes one to the page.
-function links_of_the_site(text,    result, link, words, target) {
+function links_of_the_site(text,    result, link, words, plain, target) {
     result = ""
     while (match(text, /\[[^][]*\]\([^)]*\)/)) {
         link = substr(text, RSTART, RLENGTH)
         words = substr(link, 2, index(link, "](") - 2)
         target = substr(link, length(words) + 4, RLENGTH - length(words) - 4)
         sub(/\.md#.*/, ".md", target)
-        if (target ~ /\.hpp$/) link = "[" words "](@ref " header(target) ")"
-        else if (target ~ /:\/\/|\.md$|\.(svg|png)$/) link = "[" words "](" target ")"
+        plain = words
+        gsub(/`/, "", plain)  # Doxygen shows ticks in a link as they are
+        if (target ~ /\.hpp$/) link = "[" plain "](@ref " header(target) ")"
+        else if (target ~ /:\/\/|\.md$|\.(svg|png)$/) link = "[" plain "](" target ")"
         else link = words
         result = result substr(text, 1, RSTART - 1) link
         text = substr(text, RSTART + RLENGTH)

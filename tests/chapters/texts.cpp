@@ -175,7 +175,8 @@ TEST_CASE("links are found in prose, not in code") {
 TEST_CASE("the site's filter translates formulas, pictures and links, and leaves code alone") {
     const Scratch scratch;
     std::ofstream(scratch.path / "text.md")
-        << "a $x^2$ in `$HOME` [h](../../common/math/frame.hpp) [l](LICENSE) [p](../02/README.md#21-a)\n"
+        << "a $x^2$ in `$HOME` [h](../../common/math/frame.hpp) [`f`](../../common/x.hpp) [`m`](Makefile) "
+           "[l](LICENSE) [p](../02/README.md#21-a)\n"
            "$$ E = \\pi L. \\tag{1.1} $$\n"
            "![Figure $a$](../../docs/pictures/01_a.svg) [![b](../docs/pictures/01_b.svg)](c.md)\n"
            "```sh\necho $A $B ![x](../../docs/pictures/y.svg)\n```\n";
@@ -183,7 +184,7 @@ TEST_CASE("the site's filter translates formulas, pictures and links, and leaves
         scratch.path, "awk -f '" + (source_folder / "docs" / "markdown.awk").string() + "' text.md");
     CHECK(ended.code == 0);
     CHECK(ended.out ==
-          "a \\f$x^2\\f$ in `$HOME` [h](@ref math/frame.hpp) l [p](../02/README.md)\n"
+          "a \\f$x^2\\f$ in `$HOME` [h](@ref math/frame.hpp) [f](@ref x.hpp) `m` l [p](../02/README.md)\n"
           "\\f[ E = \\pi L. \\tag{1.1} \\f]\n"
           "![Figure a](01_a.svg) ![b](01_b.svg)\n"
           "```sh\necho $A $B ![x](../../docs/pictures/y.svg)\n```\n");
