@@ -1,6 +1,7 @@
 # Looks for every package of packages.csv before it complains of any. What was found is left in the build folder
 # as packages.csv (`course doctor` shows it); what the build cannot do without is named once, all of it, with the
 # command that installs it here.
+include(${CMAKE_CURRENT_LIST_DIR}/find_program_of.cmake)
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${CMAKE_CURRENT_LIST_DIR}/packages.csv)
 
 # The first thing in a text that looks like a version.
@@ -67,8 +68,7 @@ foreach(row ${rows})
         set(found ${CMAKE_CXX_COMPILER})
         set(version "${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION}")
     elseif(kind STREQUAL "program")
-        separate_arguments(alternatives UNIX_COMMAND "${sought}")
-        find_program(found NAMES ${alternatives} NO_CACHE)
+        find_on_path("${sought}" found)
         if(found)
             version_of_program(${found} version)
         endif()

@@ -9,7 +9,7 @@
 namespace sr::course {
 
 /// Runs gnuplot, without the person's own settings, and returns what the script draws on its standard output;
-/// nothing when gnuplot is not installed. The variable STERADIAN_GNUPLOT names another program; empty: none.
+/// nothing where there is none on the PATH.
 /// @throws std::runtime_error "gnuplot: ..." with its own words when it can't draw the script
 [[nodiscard]] std::optional<std::string> run_gnuplot(std::string_view script);
 

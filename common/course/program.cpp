@@ -11,12 +11,18 @@
 #include <cstring>
 #include <stdexcept>
 
-#ifndef _WIN32
+#ifdef _WIN32
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#else
+#include <fcntl.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
+#include <memory>
 
 extern char** environ;
 #endif
@@ -72,6 +78,23 @@ int run_and_wait(const std::vector<std::string>& words, const EachLine& each_lin
     return _pclose(pipe);
 }
 
+/// By way of three files in the temporary folder.
+std::optional<Ended> filter_and_wait(const std::vector<std::string>& words, std::string_view input) {
+    if (std::system(fmt::format("where {} >NUL 2>&1", words[0]).c_str()) != 0) return std::nullopt;
+    const auto folder = std::filesystem::temp_directory_path() / "steradian";
+    std::filesystem::create_directories(folder);
+    const auto file = [&](const char* name) { return (folder / name).string(); };
+    const auto read = [&](const char* name) {
+        std::ifstream stream{file(name), std::ios::binary};
+        return std::string{std::istreambuf_iterator<char>{stream}, {}};
+    };
+    std::ofstream{file("input"), std::ios::binary} << input;
+    const int exit_code = std::system(fmt::format("\"{} <\"{}\" >\"{}\" 2>\"{}\"\"", quoted(words),
+                                                  file("input"), file("output"), file("errors"))
+                                          .c_str());
+    return Ended{exit_code, read("output"), read("errors")};
+}
+
 #else
 
 volatile std::sig_atomic_t interrupted = 0;
@@ -106,29 +129,28 @@ private:
     struct sigaction terminate_ = {};
 };
 
-/// A pipe's two ends, or neither.
-struct Pipe {
-    int read_end  = -1;
-    int write_end = -1;
+/// What a program reads from and writes to.
+struct Streams {
+    int in  = STDIN_FILENO;
+    int out = STDOUT_FILENO;
+    int err = STDERR_FILENO;
 };
 
-/// Starts a program whose stdout and stderr go into `output`, or to ours where that is no pipe.
-pid_t start(const std::vector<std::string>& words, const Pipe& output = {}) {
+/// @return the program's process; nothing where there is no such program
+std::optional<pid_t> start(const std::vector<std::string>& words, const Streams& streams = {}) {
     std::vector<char*> arguments;
     for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
     arguments.push_back(nullptr);
 
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
-    if (output.write_end >= 0) {
-        posix_spawn_file_actions_adddup2(&actions, output.write_end, STDOUT_FILENO);
-        posix_spawn_file_actions_adddup2(&actions, output.write_end, STDERR_FILENO);
-        posix_spawn_file_actions_addclose(&actions, output.write_end);
-        posix_spawn_file_actions_addclose(&actions, output.read_end);
-    }
+    posix_spawn_file_actions_adddup2(&actions, streams.in, STDIN_FILENO);
+    posix_spawn_file_actions_adddup2(&actions, streams.out, STDOUT_FILENO);
+    posix_spawn_file_actions_adddup2(&actions, streams.err, STDERR_FILENO);
     pid_t     pid    = 0;
     const int reason = posix_spawnp(&pid, arguments[0], &actions, nullptr, arguments.data(), environ);
     posix_spawn_file_actions_destroy(&actions);
+    if (reason == ENOENT) return std::nullopt;
     if (reason != 0) fail(words[0], reason);
     return pid;
 }
@@ -138,30 +160,81 @@ int exit_code(pid_t pid) {
     int status = 0;
     while (waitpid(pid, &status, 0) < 0 && errno == EINTR) {
     }
-    child = 0;
-    if (interrupted) return 128 + SIGINT;
     return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
 }
 
-int run_and_wait(const std::vector<std::string>& words, const EachLine& each_line) {
-    const Outlive outlive_it;
-    if (!each_line) {
-        child = start(words);
-        return exit_code(child);
-    }
-
+/// A pipe whose ends no program inherits.
+std::array<int, 2> make_pipe() {
     std::array<int, 2> ends = {};
-    if (pipe(ends.data()) != 0) fail(words[0], errno);
-    child = start(words, {.read_end = ends[0], .write_end = ends[1]});
-    close(ends[1]);
+    if (pipe(ends.data()) != 0) fail("a program with a pipe", errno);
+    for (const int end : ends) fcntl(end, F_SETFD, FD_CLOEXEC);
+    return ends;
+}
+
+void read_lines(int from, const EachLine& each_line) {
     Lines                  lines(each_line);
     std::array<char, 4096> text;
     ssize_t                count = 0;
-    while ((count = read(ends[0], text.data(), text.size())) > 0)
-        lines.add({text.data(), std::size_t(count)});
+    while ((count = read(from, text.data(), text.size())) > 0)
+        lines.add({text.data(), static_cast<std::size_t>(count)});
     lines.end();
-    close(ends[0]);
-    return exit_code(child);
+}
+
+int run_and_wait(const std::vector<std::string>& words, const EachLine& each_line) {
+    const Outlive            outlive_it;
+    const std::array<int, 2> ends  = each_line ? make_pipe() : std::array{-1, -1};
+    const auto [from, to]          = ends;
+    const std::optional<pid_t> pid = each_line ? start(words, {.out = to, .err = to}) : start(words);
+    if (!pid) fail(words[0], ENOENT);
+    child = *pid;
+    if (each_line) {
+        close(to);
+        read_lines(from, each_line);
+        close(from);
+    }
+    const int code = exit_code(*pid);
+    child          = 0;
+    return interrupted ? 128 + SIGINT : code;
+}
+
+/// A file without a name: it is gone with the program that has it open, however that ends.
+class NamelessFile {
+public:
+    NamelessFile() : file_{std::tmpfile(), std::fclose} {
+        if (!file_)
+            throw std::runtime_error(fmt::format("cannot make a temporary file: {}", std::strerror(errno)));
+    }
+
+    [[nodiscard]] int descriptor() const { return ::fileno(file_.get()); }
+
+    void write(std::string_view text) {
+        if (std::fwrite(text.data(), 1, text.size(), file_.get()) != text.size() ||
+            std::fflush(file_.get()) != 0)
+            throw std::runtime_error(fmt::format("cannot write a temporary file: {}", std::strerror(errno)));
+        std::rewind(file_.get());
+    }
+
+    [[nodiscard]] std::string read() {
+        std::string            text;
+        std::array<char, 4096> block;
+        std::rewind(file_.get());
+        while (const std::size_t n = std::fread(block.data(), 1, block.size(), file_.get()))
+            text.append(block.data(), n);
+        return text;
+    }
+
+private:
+    std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
+};
+
+/// Files and not pipes, which would fill up: the program may write before it has read all.
+std::optional<Ended> filter_and_wait(const std::vector<std::string>& words, std::string_view input) {
+    NamelessFile in, out, errors;
+    in.write(input);
+    const auto pid = start(words, {in.descriptor(), out.descriptor(), errors.descriptor()});
+    if (!pid) return std::nullopt;
+    const int code = exit_code(*pid);
+    return Ended{code, out.read(), errors.read()};
 }
 
 #endif
@@ -171,6 +244,10 @@ int run_and_wait(const std::vector<std::string>& words, const EachLine& each_lin
 int run_program(const std::vector<std::string>& words, const EachLine& each_line) {
     std::fflush(nullptr);  // what we said before comes before what the program says
     return run_and_wait(words, each_line);
+}
+
+std::optional<Ended> filter_through(const std::vector<std::string>& words, std::string_view input) {
+    return filter_and_wait(words, input);
 }
 
 }  // namespace sr::course

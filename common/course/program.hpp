@@ -4,6 +4,7 @@
 /// quotes.
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,5 +21,17 @@ using EachLine = std::function<void(std::string_view)>;
 /// @return its exit code; 128 + n where signal n ended it; 130 after Ctrl-C, whatever the program made of it
 /// @throws std::runtime_error where there is no such program
 [[nodiscard]] int run_program(const std::vector<std::string>& words, const EachLine& each_line = {});
+
+/// What a program left behind when it ended.
+struct Ended {
+    int         exit_code = 0;
+    std::string output;
+    std::string errors;
+};
+
+/// Runs a program on a given input and keeps what it writes. Ctrl-C is ours to handle.
+/// @return nothing where there is no such program
+[[nodiscard]] std::optional<Ended> filter_through(const std::vector<std::string>& words,
+                                                  std::string_view                input);
 
 }  // namespace sr::course

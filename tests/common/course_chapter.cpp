@@ -74,9 +74,10 @@ TEST_CASE("a chapter leaves its figures, their captions, its claims and the page
 
 TEST_CASE("without gnuplot the data are written and one sentence says so") {
     const ScratchFolder out{"chapter_no_gnuplot"};
-    ::setenv("STERADIAN_GNUPLOT", "", 1);
-    const Ended ended = run_program(out.path, small_chapter);
-    ::unsetenv("STERADIAN_GNUPLOT");
+    const Ended         ended = run_program(out.path, [](Chapter& chapter) {
+        ::setenv("PATH", "/no/such/folder", 1);
+        small_chapter(chapter);
+    });
     CHECK(ended.code == 0);
     CHECK(contains(ended.out, "\n1 render and the data of 2 charts in "));
     CHECK(contains(ended.out, "gnuplot was not found: install it"));
