@@ -4,14 +4,12 @@
 
 #include <fmt/format.h>
 
-#include <cstdio>
-#include <exception>
 #include <filesystem>
 #include <optional>
 #include <stdexcept>
 #include <string>
-#include <vector>
 
+#include "course/options.hpp"
 #include "course/table.hpp"
 
 namespace sr::course {
@@ -34,28 +32,19 @@ void check_writable(const std::filesystem::path& file) {
 
 int run_benchmark(int argc, const char* const* argv, std::string_view about,
                   const std::function<Rows()>& rows) {
-    try {
-        const std::vector<std::string>       words(argv + 1, argv + argc);
-        std::optional<std::filesystem::path> csv;
-        for (std::size_t i = 0; i < words.size(); ++i) {
-            if (words[i] == "--help" || words[i] == "-h") {
-                fmt::print("{}\n\n  --csv FILE  write the rows to FILE as well\n", about);
-                return 0;
-            }
-            if (words[i] != "--csv" || i + 1 == words.size()) {
-                throw std::invalid_argument(fmt::format("{}: expected nothing or --csv FILE", words[i]));
-            }
-            csv = words[++i];
-            check_writable(*csv);
-        }
+    const auto measure = [&](const Arguments& arguments) {
+        const std::optional<std::string> csv = arguments.value("--csv");
+        if (csv) check_writable(*csv);
         const Rows result = rows();
         print(result);
         if (csv) write_csv(*csv, result);
         return 0;
-    } catch (const std::exception& error) {
-        fmt::print(stderr, "bench: error: {}\n", error.what());
-        return 2;
-    }
+    };
+    return run_command(argc, argv,
+                       {.name    = std::filesystem::path(argv[0]).stem().string(),
+                        .help    = std::string(about),
+                        .options = {{"--csv", "FILE", "write the table to FILE as well"}},
+                        .run     = measure});
 }
 
 }  // namespace sr::course

@@ -9,7 +9,7 @@
 
 namespace sr::course {
 
-/// Runs a benchmark: `--help`, and `--csv FILE` to write the rows to a file as well as to the terminal.
+/// Runs a benchmark: `--help`, and `--csv FILE` to write the rows to a file as well.
 /// @return the exit code: 0, or 2 after one line on stderr
 [[nodiscard]] int run_benchmark(int argc, const char* const* argv, std::string_view about,
                                 const std::function<Rows()>& rows);

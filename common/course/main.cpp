@@ -339,7 +339,7 @@ int main(int argc, char** argv) {
           .help      = "Measures a topic; without one, lists the topics.",
           .rest      = Rest::words,
           .rest_name = "[TOPIC]",
-          .options   = {{"--csv", "FILE", "write the table to FILE"}},
+          .options   = {{"--csv", "FILE", "write the table to FILE as well"}},
           .run       = bench},
          {.name = "docs", .help = "Makes the site from the texts and the code.", .run = docs},
          {.name = "list", .help = "Lists the chapters and their titles.", .run = list},

@@ -176,7 +176,8 @@ void check_rest(const Command& command, const std::vector<CommandOption>& known,
     if (option != rest.end()) unknown_word(*option, known);
 }
 
-int run_command(int argc, const char* const* argv, std::string_view program, const Command& command) {
+/// @param usage   the words that start it: "course bench"
+int parse_and_call(int argc, const char* const* argv, std::string usage, const Command& command) {
     std::vector<CommandOption>       known = command.options;
     const std::vector<CommandOption> shared =
         command.takes_shared ? shared_options(std::nullopt) : decltype(known){};
@@ -184,7 +185,6 @@ int run_command(int argc, const char* const* argv, std::string_view program, con
 
     const Parts parts = take_apart(argc, argv, known, command.rest == Rest::verbatim);
     if (parts.help) {
-        std::string usage = fmt::format("{} {}", program, command.name);
         if (!command.rest_name.empty()) usage += " " + command.rest_name;
         if (!known.empty()) usage += " [option...]";
         print_help(usage, command.help, known);
@@ -233,6 +233,12 @@ std::optional<std::string> Arguments::value(std::string_view name) const {
     return found == given.end() ? std::nullopt : std::optional{found->second};
 }
 
+int run_command(int argc, const char* const* argv, const Command& command) try {
+    return parse_and_call(argc, argv, command.name, command);
+} catch (const std::exception& error) {
+    return report_error(command.name, error);
+}
+
 int dispatch(int argc, const char* const* argv, std::string_view program, std::string_view help,
              const std::vector<Command>& commands) try {
     const std::string name = argc > 1 ? argv[1] : "--help";
@@ -242,7 +248,8 @@ int dispatch(int argc, const char* const* argv, std::string_view program, std::s
     }
     std::vector<std::string> names;
     for (const Command& command : commands) {
-        if (command.name == name) return run_command(argc - 1, argv + 1, program, command);
+        if (command.name == name)
+            return parse_and_call(argc - 1, argv + 1, fmt::format("{} {}", program, name), command);
         names.push_back(command.name);
     }
     throw std::invalid_argument(

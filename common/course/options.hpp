@@ -96,6 +96,9 @@ struct Command {
     std::function<int(const Arguments&)> run;
 };
 
+/// A program that is one command: parses, calls it and returns its exit code; help and mistakes as below.
+[[nodiscard]] int run_command(int argc, const char* const* argv, const Command& command);
+
 /// Parses, calls the command and returns its exit code. No command, `help` or `--help`: `help`, exit code 0. What
 /// is not known gets one line on stderr with the nearest that is, and exit code 2; so does an exception of the
 /// command: `course: error: ...`.

@@ -169,6 +169,22 @@ TEST_CASE("commands get their words, their options and the shared ones") {
     CHECK(give({"bench"}).arguments.value("--csv") == std::nullopt);
 }
 
+TEST_CASE("a program of one command reads its options as a command does") {
+    const auto run = [](std::vector<const char*> words) {
+        words.insert(words.begin(), "bench_rays");
+        const Command command{.name    = "bench_rays",
+                              .help    = "Rays.",
+                              .options = {{"--csv", "FILE", "c"}},
+                              .run     = [](const Arguments& a) { return a.value("--csv") == "x" ? 5 : 6; }};
+        return in_child([&] { return run_command(static_cast<int>(words.size()), words.data(), command); });
+    };
+    CHECK(run({"--csv", "x"}).code == 5);
+    CHECK(run({}).code == 6);
+    CHECK(run({"--help"}).out.starts_with("Rays.\n\nusage: bench_rays [option...]\n"));
+    CHECK(run({"--foo"}).code == 2);
+    CHECK(run({"--foo"}).err == "bench_rays: error: --foo: unknown option; see --help\n");
+}
+
 TEST_CASE("a mistaken command is told in one line with exit code 2") {
     const struct {
         std::vector<const char*> words;
