@@ -176,7 +176,7 @@ void read_lines(int from, const EachLine& each_line) {
     std::array<char, 4096> text;
     ssize_t                count = 0;
     while ((count = read(from, text.data(), text.size())) > 0)
-        lines.add({text.data(), static_cast<std::size_t>(count)});
+        lines.add({text.data(), std::size_t(count)});
     lines.end();
 }
 
