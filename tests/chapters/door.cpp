@@ -31,7 +31,7 @@ void check_refused(const std::string& arguments, const std::string& named) {
 constexpr const char* commands[] = {"figures", "run", "test", "bench", "docs", "list", "doctor"};
 
 /// The launcher where there is neither a compiler nor CMake.
-Ended run_bare(const Scratch& scratch, const std::string& shell, const std::string& arguments) {
+Ended run_bare(const ScratchFolder& scratch, const std::string& shell, const std::string& arguments) {
     return run_shell(scratch.path,
                      "mkdir -p bin; for program in bash sh readlink dirname dpkg-query apt-get; do "
                      "ln -sf \"$(command -v $program)\" bin/ || true; done; "
@@ -96,8 +96,8 @@ TEST_CASE("a chapter's bad option passes through: one line, exit code 2") {
 }
 
 TEST_CASE("a relative --out means the folder of the person who calls") {
-    const Scratch scratch;
-    const Ended   ended =
+    const ScratchFolder scratch{"door"};
+    const Ended         ended =
         run_course(scratch.path, "figures 01 --quality draft --size 32 --samples 1 --out there");
     CAPTURE(ended.err);
     CHECK(ended.code == 0);
@@ -106,10 +106,10 @@ TEST_CASE("a relative --out means the folder of the person who calls") {
 }
 
 TEST_CASE("Ctrl-C ends a chapter with 130 and leaves no part of a file") {
-    const Scratch     scratch;
-    const std::string course  = (build_folder / "bin" / "course").string();
-    const fs::path    started = scratch.path / "there" / "01_rays";
-    Ended             ended;
+    const ScratchFolder scratch{"door"};
+    const std::string   course  = (build_folder / "bin" / "course").string();
+    const fs::path      started = scratch.path / "there" / "01_rays";
+    Ended               ended;
     for (int seconds = 1; seconds <= 32 && !fs::exists(started); seconds *= 2)  // a busy machine starts late
         ended = run_shell(scratch.path, "timeout --preserve-status -s INT " + std::to_string(seconds) + " '" +
                                             course + "' run 01 --quality print --out there");
@@ -121,7 +121,7 @@ TEST_CASE("Ctrl-C ends a chapter with 130 and leaves no part of a file") {
 }
 
 TEST_CASE("where no compiler is, the launcher helps, lists, and tells in one command how to get one") {
-    const Scratch scratch;
+    const ScratchFolder scratch{"door"};
     for (const char* const arguments : {"", "--help", "-h", "help", "list"}) {
         const Ended bare = run_bare(scratch, "bash", arguments), built = run_course(scratch.path, arguments);
         CHECK(bare.code == 0);
@@ -144,8 +144,8 @@ TEST_CASE("where no compiler is, the launcher helps, lists, and tells in one com
 }
 
 TEST_CASE("the launcher in another shell says that it is for bash") {
-    const Scratch scratch;
-    const Ended   ended = run_bare(scratch, "sh", "list");
+    const ScratchFolder scratch{"door"};
+    const Ended         ended = run_bare(scratch, "sh", "list");
     if (contains(run_shell(scratch.path, "sh -c 'echo $BASH_VERSION'").out, ".")) return;  // sh is bash here
     CHECK(ended.code == 2);
     CHECK(ended.error_lines() == 1);

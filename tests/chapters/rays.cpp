@@ -32,9 +32,9 @@ std::map<std::string, std::string> renders_in(const fs::path& folder) {
 
 TEST_CASE(
     "chapter 1: every claim holds, every figure has its data, for any number of threads the same renders") {
-    const Scratch scratch;
-    const Ended   one = run_rays(scratch.path, "--quality draft --size 64 --threads 1 --out one");
-    const Ended   all = run_rays(scratch.path, "--quality draft --size 64 --threads 7 --out seven");
+    const ScratchFolder scratch{"rays"};
+    const Ended         one = run_rays(scratch.path, "--quality draft --size 64 --threads 1 --out one");
+    const Ended         all = run_rays(scratch.path, "--quality draft --size 64 --threads 7 --out seven");
     CHECK(one.code == 0);
     CHECK(all.code == 0);
     const fs::path folder = scratch.path / "one" / "01_rays";
@@ -73,7 +73,7 @@ TEST_CASE(
 
 TEST_CASE(
     "chapter 1: a scene that can't be read is one line on stderr, exit code 2, and no figure is touched") {
-    const Scratch scratch;
+    const ScratchFolder scratch{"rays"};
     fs::create_directories(scratch.path / "figures" / "01_rays");
     const fs::path old = scratch.path / "figures" / "01_rays" / "scene_depth.png";
     std::ofstream(old) << "an older figure";
@@ -102,7 +102,7 @@ TEST_CASE(
 }
 
 TEST_CASE("chapter 1: a scene of which nothing is seen is rendered, and said to be blank") {
-    const Scratch scratch;
+    const ScratchFolder scratch{"rays"};
     std::ofstream(scratch.path / "specks.obj") << "v 0 0 0\nv 1e-6 0 0\nv 0 1e-6 0\nf 1 2 3\n"
                                                   "v 1 1 1\nv 1.000001 1 1\nv 1 1.000001 1\nf 4 5 6\n";
     const Ended ended = run_rays(scratch.path, "--quality draft --size 32 --scene specks.obj");
@@ -112,7 +112,7 @@ TEST_CASE("chapter 1: a scene of which nothing is seen is rendered, and said to 
 }
 
 TEST_CASE("chapter 1: sizes, options and folders that can't be are one line on stderr and exit code 2") {
-    const Scratch scratch;
+    const ScratchFolder scratch{"rays"};
     std::ofstream(scratch.path / "file") << "in the way";
     for (const std::string arguments : {"--size 0", "--size 100000", "--size -5", "--size many", "--sise 64",
                                         "--out file", "--out /proc/figures", "--quality best", "--threads 0",

@@ -173,7 +173,7 @@ TEST_CASE("links are found in prose, not in code") {
 }
 
 TEST_CASE("the site's filter translates formulas, pictures and links, and leaves code alone") {
-    const Scratch scratch;
+    const ScratchFolder scratch{"texts"};
     std::ofstream(scratch.path / "text.md")
         << "a $x^2$ in `$HOME` [h](../../common/math/frame.hpp) [`f`](../../common/x.hpp) [`m`](Makefile) "
            "[l](LICENSE) [p](../02/README.md#21-a)\n"

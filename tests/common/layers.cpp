@@ -5,16 +5,18 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <set>
 #include <sstream>
 #include <string>
 #include <vector>
 
+#include "scratch_folder.hpp"
+
 namespace {
 
-namespace fs   = std::filesystem;
+namespace fs = std::filesystem;
+using sr::test::read_text;
 using Names    = std::set<std::string>;
 using Includes = std::vector<std::string>;
 
@@ -67,11 +69,6 @@ Includes from_elsewhere(const fs::path& chapter, const std::string& text) {
         return !file.starts_with("..") && (fs::exists(common / file) || fs::exists(chapter / file));
     });
     return wrong;
-}
-
-std::string read_text(const fs::path& path) {
-    std::ifstream file(path);
-    return {std::istreambuf_iterator<char>(file), {}};
 }
 
 std::vector<fs::path> sources(const fs::path& folder) {
@@ -131,7 +128,7 @@ TEST_CASE("a chapter includes only common/ and its own files") {
 
     const fs::path chapter = fs::path(STERADIAN_SOURCE_DIR) / "chapters" / "01_rays";
     CHECK(from_elsewhere(chapter, "#include \"scenes.hpp\"\n#include \"math/frame.hpp\"\n") == Includes{});
-    for (const std::string file : {"../01_rays/scenes.hpp", "tests/common/child.hpp", "run_course.hpp"})
+    for (const std::string file : {"../01_rays/scenes.hpp", "tests/child.hpp", "run_course.hpp"})
         CHECK(from_elsewhere(chapter, "#include \"" + file + "\"\n") == Includes{file});
 }
 

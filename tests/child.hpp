@@ -6,6 +6,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <exception>
@@ -19,6 +20,8 @@ struct Ended {
     int         code = -1;
     std::string out;
     std::string err;
+
+    [[nodiscard]] auto error_lines() const { return std::count(err.begin(), err.end(), '\n'); }
 };
 
 inline std::string read_all(std::FILE* file) {
