@@ -65,15 +65,17 @@ void render(course::Chapter& chapter, const std::string& name, const std::string
     const int              threads = chapter.options().threads;
     const auto             depths  = depth_range(trace_primary(hierarchy, camera, {.threads = threads}));
 
-    const int        side  = int(std::sqrt(chapter.options().samples));
-    const float      share = 1 / float(side * side);
+    const int        rays  = chapter.options().samples;  // a square: course::run has seen to that
+    const int        side  = int(std::sqrt(rays));
+    const float      share = 1 / float(rays);
     Image<Look>      looks(camera.width, camera.height, {{}, {}, {}});
     course::Progress progress("tracing " + name, 1000);
     const auto on_tile = [&](int done, int of) { progress.tick(1000 * done / of - 1000 * (done - 1) / of); };
     for_each_pixel(camera.width, camera.height, {.threads = threads, .on_tile = on_tile}, [&](int x, int y) {
-        for (int part = 0; part < side * side; ++part) {
-            const Vec2 image{float(x) + (float(part % side) + 0.5F) / float(side),
-                             float(y) + (float(part / side) + 0.5F) / float(side)};
+        for (int part = 0; part < rays; ++part) {
+            const int  row = part / side, column = part % side;
+            const Vec2 image{float(x) + (float(column) + 0.5F) / float(side),
+                             float(y) + (float(row) + 0.5F) / float(side)};
             const auto hit = hierarchy.nearest(camera.ray(image));
             looks(x, y).add(
                 share, hit ? look_at(shot.scene, hit->face, shot.camera.ray(image).direction, hit->t, depths)
@@ -86,7 +88,7 @@ void render(course::Chapter& chapter, const std::string& name, const std::string
 
     const auto facts =
         fmt::format("{}, {} a pixel", course::counted(std::ssize(shot.scene.mesh.faces), "triangle"),
-                    course::counted(side * side, "ray"));
+                    course::counted(rays, "ray"));
     const auto show = [&](const std::string& suffix, Spectrum Look::*way, const std::string& by,
                           const std::string& meaning) {
         Image<Spectrum> film(camera.width, camera.height);
@@ -290,7 +292,7 @@ void which_is_faster(course::Chapter& chapter) {
     const std::vector<int> levels{1, 2, 4, 8, 16, 32, 64, 125};
     std::vector<int>       edges{16};
     while (edges.back() < 2 * side) edges.push_back(2 * edges.back());
-    course::Progress progress("racing", std::int64_t(levels.size() + edges.size()));
+    course::Progress progress("racing", int(levels.size() + edges.size()));
     for (const int level : levels) {
         const Race race(level, side);
         add(by_triangles, triangles, race, race.run(repeats, tests, chapter.options().seed),

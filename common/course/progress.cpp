@@ -18,15 +18,15 @@ constexpr std::int64_t redraw        = 100;  // [ms]
 
 }  // namespace
 
-Progress::Progress(std::string what, std::int64_t steps)
-    : what_{std::move(what)}, steps_{std::max<std::int64_t>(1, steps)}, visible_{stderr_is_terminal()} {}
+Progress::Progress(std::string what, int steps)
+    : what_{std::move(what)}, steps_{std::max(1, steps)}, visible_{stderr_is_terminal()} {}
 
 Progress::~Progress() {
     if (drawn_) fmt::print(stderr, "\r\x1b[K");
 }
 
-void Progress::tick(std::int64_t steps) {
-    const std::int64_t done = done_.fetch_add(steps, std::memory_order_relaxed) + steps;
+void Progress::tick(int steps) {
+    const int done = done_.fetch_add(steps, std::memory_order_relaxed) + steps;
     if (!visible_) return;
     const double elapsed = std::chrono::duration<double>(Clock::now() - start_).count();
     const auto   now     = std::int64_t(1000 * elapsed);
@@ -35,7 +35,7 @@ void Progress::tick(std::int64_t steps) {
     if (now >= next && next_.compare_exchange_strong(next, now + redraw)) draw(done, elapsed);
 }
 
-void Progress::draw(std::int64_t done, double elapsed) {
+void Progress::draw(int done, double elapsed) {
     const std::string line = progress_line(what_, double(done) / double(steps_), elapsed);
     if (line.empty()) return;
     drawn_ = true;

@@ -15,24 +15,24 @@ namespace sr::course {
 ///     ... progress.tick();
 class Progress {
 public:
-    Progress(std::string what, std::int64_t steps);
+    Progress(std::string what, int steps);
     ~Progress();
     Progress(const Progress&)            = delete;
     Progress& operator=(const Progress&) = delete;
 
     /// One more step (or more than one) is done.
-    void tick(std::int64_t steps = 1);
+    void tick(int steps = 1);
 
 private:
     using Clock = std::chrono::steady_clock;
 
-    void draw(std::int64_t done, double elapsed);
+    void draw(int done, double elapsed);
 
     std::string               what_;
-    std::int64_t              steps_;
+    int                       steps_;
     bool                      visible_;
     Clock::time_point         start_ = Clock::now();
-    std::atomic<std::int64_t> done_  = 0;
+    std::atomic<int>          done_  = 0;
     std::atomic<std::int64_t> next_  = 0;  ///< when the line is drawn again [ms since the start]
     std::atomic<bool>         drawn_ = false;
 };

@@ -22,10 +22,10 @@ inline bool append_words(std::string_view line, std::vector<std::string_view>& w
     for (;;) {
         line.remove_prefix(std::min(line.find_first_not_of(blanks), line.size()));
         if (line.empty() || line.front() == '#') return false;
-        if (line.front() == '\\' && line.find_first_not_of(blanks, 1) == line.npos) return true;
+        if (line.front() == '\\' && line.find_first_not_of(blanks, 1) == std::string_view::npos) return true;
 
         std::string_view word = line.substr(0, line.find_first_of(blanks));
-        const bool       last = line.find_first_not_of(blanks, word.size()) == line.npos;
+        const bool       last = line.find_first_not_of(blanks, word.size()) == std::string_view::npos;
         line.remove_prefix(word.size());
         const bool continued = last && word.back() == '\\';
         if (continued) word.remove_suffix(1);
