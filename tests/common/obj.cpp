@@ -280,7 +280,7 @@ TEST_CASE("obj: a damaged file is either refused or read as something that is us
             ++read;
         } catch (const std::exception& error) {
             const std::string message = error.what();
-            if (message.empty() || message.find('\n') != message.npos)
+            if (message.empty() || message.find('\n') != std::string::npos)
                 FAIL_CHECK("run " << run << ": " << message);
             ++refused;
         }
