@@ -18,6 +18,9 @@ Ended run_rays(const fs::path& folder, const std::string& arguments) {
     return run_shell(folder, "'" + (build_folder / "bin" / "01_rays").string() + "' " + arguments);
 }
 
+/// Numbers of the text that are no results of the program: what is given, and times, which are charted.
+const std::set<double> given{0.035, 0.025, 0.0125, 2.44, 1e-5, 1e-6, 261'632, 6e4, 1e5};
+
 std::map<std::string, std::string> renders_in(const fs::path& folder) {
     std::map<std::string, std::string> bytes;
     for (const auto& entry : fs::directory_iterator(folder)) {
@@ -29,6 +32,15 @@ std::map<std::string, std::string> renders_in(const fs::path& folder) {
 }
 
 }  // namespace
+
+TEST_CASE("a result in a text is told from an equation's number") {
+    const auto sections = sections_of(
+        "# 1 T\n\n## 1.2 A\n(1.3), figure 1.4, 16 rays, 0.25 and $3\\cdot10^{-5}$\n"
+        "\n## 1.3 B\n61 195, 1e+07 [x](a/9.5)\n");
+    REQUIRE(sections.size() == 2);
+    CHECK(results_in(sections.at("1.2")) == std::set<double>{0.25, 3e-5});
+    CHECK(results_in(sections.at("1.3")) == std::set<double>{61195, 1e7});
+}
 
 TEST_CASE(
     "chapter 1: every claim holds, every figure has its data, for any number of threads the same renders") {
@@ -43,19 +55,30 @@ TEST_CASE(
     CHECK(claims.header ==
           std::vector<std::string>{"claim", "expected", "measured", "error", "tolerance", "pass"});
     CHECK(claims.rows.size() >= 20);
-    const std::set<double> in_text =
-        numbers_of(read_text(source_folder / "chapters" / "01_rays" / "README.md"));
+    const auto       sections = sections_of(read_text(source_folder / "chapters" / "01_rays" / "README.md"));
+    std::set<double> known    = given;
     for (const auto& claim : claims.rows) {
         INFO(claim[0].text());
         CHECK(claim[5].text() == "yes");
         const double expected = claim[1].number();
-        CHECK((expected == 0 || in_text.contains(expected)));
+        known.merge(numbers_of(claim[0].text()));
+        known.insert(expected);
+        const std::string section = claim[0].text().substr(0, claim[0].text().find(' '));
+        REQUIRE(sections.contains(section));
+        CHECK((expected == 0 || numbers_of(sections.at(section)).contains(expected)));
+    }
+    for (const auto& [section, text] : sections) {
+        for (const double result : results_in(text)) {
+            INFO(section << " says " << result << ", which nothing claims");
+            CHECK(known.contains(result));
+        }
     }
 
-    for (const std::string name : {"triangles", "pixels"}) {
+    for (const auto& [name, rows] : {std::pair{std::string("triangles"), 4 * 8}, {"pixels", 4 * 4}}) {
         const course::Rows chart = course::read_csv(folder / (name + ".csv"));
         CHECK(chart.header == std::vector<std::string>{"method", "effort", "seconds", "error", "error_se",
                                                        "triangles", "pixels", "seconds_min", "seconds_max"});
+        CHECK(int(chart.rows.size()) == rows);
         for (const auto& row : chart.rows) {
             CHECK(row[2].number() > 0);
             CHECK(row[3].number() <= 0.02);  // the coarsest teapot's handle has two faces in one place

@@ -6,6 +6,7 @@
 #include <limits>
 #include <tuple>
 
+#include "math/extremes.hpp"
 #include "scene/cornell_box.hpp"
 
 using namespace sr;
@@ -43,7 +44,7 @@ TEST_CASE_TEMPLATE("projection and ray are inverse", T, float, double) {
             for (const T t : {T(1e-3), T(1), T(50)}) {
                 const auto image = camera.project(camera.ray_through_pixel(x, y).at(t));
                 REQUIRE(image);
-                worst = std::fmax(worst, length(Vector2<double>(*image) - Vector2<double>(x + 0.5, y + 0.5)));
+                worst = max_or_nan(worst, length(Vector2<double>(*image) - Vector2<double>(x + 0.5, y + 0.5)));
             }
         }
     }

@@ -94,12 +94,15 @@ Differences compare(const Mesh<T>& mesh, const Surfaces& hierarchy, int rays) {
         const auto expected = all.nearest(ray);
         if (!(hierarchy.nearest(ray) == expected)) ++different;
         if (hierarchy.occluded(ray) != expected.has_value()) ++different;
-        // The range's ends belong to it: up to the hit it is found, just short of it another or none.
+        // The range's ends belong to it: up to the hit it is found, just before it none, just beyond another.
         if (expected) {
             ++hits;
             if (!(hierarchy.nearest(ray, {0, expected->t}) == expected)) ++different;
+            const Interval<T> before{0, std::nextafter(expected->t, T(0))};
             const Interval<T> beyond{std::nextafter(expected->t, expected->t + 1), in_front<T>.max};
-            if (!(hierarchy.nearest(ray, beyond) == all.nearest(ray, beyond))) ++different;
+            for (const auto& range : {before, beyond}) {
+                if (!(hierarchy.nearest(ray, range) == all.nearest(ray, range))) ++different;
+            }
         }
     });
     return {side * side, different, hits};

@@ -11,6 +11,7 @@
 
 #include "image/image.hpp"
 #include "image/write_image.hpp"
+#include "math/extremes.hpp"
 #include "scratch_folder.hpp"
 
 #define STB_IMAGE_IMPLEMENTATION
@@ -124,10 +125,10 @@ TEST_CASE("hdr: a wide image, whose rows are run-length encoded, and the same by
     REQUIRE(height == 3);
     float worst = 0;
     for (std::size_t i = 0; i < 900; ++i) {
-        const Spectrum s     = image.pixels()[i];
-        const float    error = std::max({std::abs(pixels[3 * i] - s.r), std::abs(pixels[3 * i + 1] - s.g),
-                                         std::abs(pixels[3 * i + 2] - s.b)});
-        worst                = std::max(worst, error / std::max({s.r, s.g, s.b}));
+        const Spectrum s      = image.pixels()[i];
+        const float    sent[] = {s.r, s.g, s.b}, largest = std::max({s.r, s.g, s.b});
+        for (std::size_t k = 0; k < 3; ++k)
+            worst = max_or_nan(worst, std::abs(pixels[3 * i + k] - sent[k]) / largest);
     }
     CHECK(worst <= 1.0F / 128);
     stbi_image_free(pixels);

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "math/difference_of_products.hpp"
+#include "math/extremes.hpp"
 #include "math/frame.hpp"
 #include "math/interval.hpp"
 
@@ -17,10 +18,10 @@ double error_of(const Frame<float>& frame) {
     const Frame<double> f{frame.s, frame.t, frame.n};
     double              worst = length(cross(f.s, f.t) - f.n);
     for (const double dot_with_itself : {dot(f.s, f.s), dot(f.t, f.t)}) {
-        worst = std::fmax(worst, std::abs(dot_with_itself - 1));
+        worst = max_or_nan(worst, std::abs(dot_with_itself - 1));
     }
     for (const double dot_with_other : {dot(f.s, f.t), dot(f.s, f.n), dot(f.t, f.n)}) {
-        worst = std::fmax(worst, std::abs(dot_with_other));
+        worst = max_or_nan(worst, std::abs(dot_with_other));
     }
     return worst;
 }
@@ -44,6 +45,16 @@ TEST_CASE("an interval is closed and does not contain NaN") {
     CHECK(Interval<float>{std::numeric_limits<float>::quiet_NaN(), 1}.empty());
 }
 
+TEST_CASE("the worst of numbers of which one is NaN is NaN") {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    CHECK(max_or_nan(1.0, 2.0) == 2);
+    CHECK(min_or_nan(1.0, 2.0) == 1);
+    CHECK(std::isnan(max_or_nan(nan, 2.0)));
+    CHECK(std::isnan(max_or_nan(1.0, nan)));
+    CHECK(std::isnan(min_or_nan(nan, 2.0)));
+    CHECK(std::isnan(min_or_nan(1.0, nan)));
+}
+
 TEST_CASE("a frame is orthonormal in every direction, and next to -z where Frisvad's is not") {
     double worst = 0, worst_of_frisvad = 0;
     for (int i = 0; i <= 2000; ++i) {
@@ -52,8 +63,8 @@ TEST_CASE("a frame is orthonormal in every direction, and next to -z where Frisv
             const double theta = i == 0 ? 0.0 : std::acos(-1.0) * std::pow(10.0, -5.0 * (1 - i / 2000.0));
             const Vec3   n = Vector3<double>{std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi),
                                              -std::cos(theta)};
-            worst          = std::fmax(worst, error_of(frame_around(n)));
-            if (theta > 0) worst_of_frisvad = std::fmax(worst_of_frisvad, error_of(frisvad(n)));
+            worst          = max_or_nan(worst, error_of(frame_around(n)));
+            if (n.z > -1) worst_of_frisvad = max_or_nan(worst_of_frisvad, error_of(frisvad(n)));
         }
     }
     CHECK(worst <= 4e-7);

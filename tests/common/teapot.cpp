@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "math/extremes.hpp"
 #include "scene/teapot.hpp"
 
 using namespace sr;
@@ -181,7 +182,7 @@ TEST_CASE("teapot: no face without an area, no two vertices at nearly one place"
         CAPTURE(n);
         const Mesh<double> mesh  = teapot(n);
         double             least = 1;
-        for (std::size_t i = 0; i < mesh.faces.size(); ++i) least = std::min(least, area(mesh.triangle(i)));
+        for (std::size_t i = 0; i < mesh.faces.size(); ++i) least = min_or_nan(least, area(mesh.triangle(i)));
         CHECK(least >= 1e-5 / n / n);
 
         // sorted by x, neighbours within a small distance in x are few
@@ -190,7 +191,7 @@ TEST_CASE("teapot: no face without an area, no two vertices at nearly one place"
         double nearest = 1;
         for (std::size_t i = 0; i < sorted.size(); ++i) {
             for (std::size_t k = i + 1; k < sorted.size() && sorted[k].x - sorted[i].x <= 1e-6; ++k) {
-                nearest = std::min(nearest, length(sorted[k] - sorted[i]));
+                nearest = min_or_nan(nearest, length(sorted[k] - sorted[i]));
             }
         }
         CHECK(nearest >= 1e-4);
