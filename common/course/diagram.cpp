@@ -13,7 +13,7 @@ using Kind = Shape::Kind;
 
 const char* name_of(Kind kind) {
     constexpr const char* names[] = {"line", "arrow", "area", "point", "label"};
-    return names[static_cast<int>(kind)];
+    return names[int(kind)];
 }
 
 }  // namespace

@@ -70,7 +70,7 @@ Plane fit(const DiagramData& diagram) {
 std::string stroke(const Pen& pen) {
     constexpr std::array widths{1.2, 2.2, 4.0};
     return fmt::format("dashtype {} linewidth {} linecolor rgb '{}'", pen.dashed ? 2 : 1,
-                       widths[static_cast<std::size_t>(pen.weight)], hex(pen.ink));
+                       widths[std::size_t(pen.weight)], hex(pen.ink));
 }
 
 /// A shape, drawn from its rows of the CSV.
@@ -102,7 +102,7 @@ std::string label_of(const Shape& shape, const Dialect& dialect) {
     constexpr std::array anchors{"left", "center", "right"};
     const Point          at = shape.points.front();
     return fmt::format("set label {} at {:.10g},{:.10g} {} front {} textcolor rgb '{}'\n",
-                       dialect.text(shape.text), at.x, at.y, anchors[static_cast<std::size_t>(shape.anchor)],
+                       dialect.text(shape.text), at.x, at.y, anchors[std::size_t(shape.anchor)],
                        dialect.font(label_size), hex(shape.pen.ink));
 }
 

@@ -15,7 +15,7 @@ constexpr std::string_view hard_space = "\u00a0";
 
 /// The power of ten of the first digit.
 int exponent_of(double value) {
-    return static_cast<int>(std::floor(std::log10(std::abs(value))));
+    return int(std::floor(std::log10(std::abs(value))));
 }
 
 }  // namespace
@@ -34,7 +34,7 @@ std::string counted(std::int64_t number, std::string_view thing) {
 }
 
 std::string to_tolerance(double value, double tolerance) {
-    if (value == std::trunc(value) && std::abs(value) < 1e15) return whole(static_cast<std::int64_t>(value));
+    if (value == std::trunc(value) && std::abs(value) < 1e15) return whole(std::int64_t(value));
     if (!(std::isfinite(value) && tolerance > 0)) return fmt::format("{}", value);
     const int exponent = exponent_of(value);
     const int digits   = std::clamp(exponent - exponent_of(tolerance) + 1, 2, 17);

@@ -17,7 +17,7 @@ namespace {
 /// Of a letter, in units of the canvas.
 double font_height(FontSize size) {
     constexpr std::array heights{18.0, 20.0, 16.0, 13.5};
-    return heights[static_cast<std::size_t>(size)];
+    return heights[std::size_t(size)];
 }
 
 /// The printed picture is 16 cm wide; gnuplot's cairo terminals take a point of type for 1/72 in on a 96 dpi screen.
@@ -29,7 +29,7 @@ std::string_view hex(Ink ink) {
     constexpr std::array colours{"#0072b2", "#d55e00", "#00845f", "#b04a86",
                                  "#a07000", "#2a8fc4", "#222222", "#767676"};
     static_assert(colours.size() == inks);
-    return colours[static_cast<std::size_t>(ink)];
+    return colours[std::size_t(ink)];
 }
 
 double line_height(FontSize size) {
@@ -91,7 +91,7 @@ std::string Dialect::text(std::string_view tex) const {
 
 std::string Dialect::font(FontSize size) const {
     constexpr std::array latex{"\\bfseries", "\\large", "\\small", "\\footnotesize"};
-    if (tex_) return fmt::format("font '{}'", latex[static_cast<std::size_t>(size)]);
+    if (tex_) return fmt::format("font '{}'", latex[std::size_t(size)]);
     return fmt::format("font '{},{}'", size == FontSize::title ? "sans-serif:Bold" : "sans-serif",
                        font_height(size));
 }

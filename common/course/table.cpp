@@ -27,7 +27,7 @@ std::string four_digits(const std::vector<Cell>& row, std::size_t column) {
     if (!cell.is_number()) return cell.text();
     const double number   = cell.number();
     const bool   is_whole = number == std::trunc(number) && std::abs(number) < 1e15;
-    return is_whole ? whole(static_cast<std::int64_t>(number)) : fmt::format("{:.4g}", number);
+    return is_whole ? whole(std::int64_t(number)) : fmt::format("{:.4g}", number);
 }
 
 std::string to_text(const Rows& table, const CellText& shown) {

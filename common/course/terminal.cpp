@@ -26,7 +26,7 @@ std::string emphasise(std::string_view text, Emphasis emphasis) {
     const char* no_colour = std::getenv("NO_COLOR");
     if (!stdout_is_terminal() || (no_colour != nullptr && *no_colour != '\0')) return std::string{text};
     const char* codes[] = {"1", "32", "1;31"};
-    return fmt::format("\x1b[{}m{}\x1b[0m", codes[static_cast<int>(emphasis)], text);
+    return fmt::format("\x1b[{}m{}\x1b[0m", codes[int(emphasis)], text);
 }
 
 std::size_t width(std::string_view utf8) {

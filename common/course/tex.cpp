@@ -247,7 +247,7 @@ struct Writer {
 std::string write(const Pieces& pieces, const Writer& writer) {
     std::string written;
     for (const Piece& piece : pieces) {
-        const auto        kind = static_cast<std::size_t>(piece.kind);
+        const auto        kind = std::size_t(piece.kind);
         const std::string inside =
             piece.inside.empty() ? writer.text(piece.text) : write(piece.inside, writer);
         written += std::string{writer.open[kind]} + inside + std::string{writer.close[kind]};

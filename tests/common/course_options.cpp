@@ -176,7 +176,7 @@ TEST_CASE("a program of one command reads its options as a command does") {
                               .help    = "Rays.",
                               .options = {{"--csv", "FILE", "c"}},
                               .run     = [](const Arguments& a) { return a.value("--csv") == "x" ? 5 : 6; }};
-        return in_child([&] { return run_command(static_cast<int>(words.size()), words.data(), command); });
+        return in_child([&] { return run_command(int(words.size()), words.data(), command); });
     };
     CHECK(run({"--csv", "x"}).code == 5);
     CHECK(run({}).code == 6);
