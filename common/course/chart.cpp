@@ -60,10 +60,10 @@ void Chart::add(std::string_view series, double x, double y, const std::vector<C
 }
 
 void Chart::row(std::vector<Cell> cells) {
-    Rows&          table   = data_->table;
     const Columns& columns = data_->axes.columns;
+    Rows           table{data_->table.header};  // apart, until the row is known to be good
     table.add(std::move(cells));
-    const auto& row = table.rows.back();
+    const auto& row = table.rows.front();
     for (const std::string& drawn : {columns.x, columns.y, columns.error, columns.min, columns.max}) {
         if (drawn.empty()) continue;
         const Cell& value = row[table.column(drawn)];
@@ -74,6 +74,7 @@ void Chart::row(std::vector<Cell> cells) {
                             data_->name, row[table.column(columns.series)].text(), drawn, value.text(),
                             columns.x, row[table.column(columns.x)].text()));
     }
+    data_->table.add(row);
 }
 
 void Chart::gap(std::string_view series, double x) {

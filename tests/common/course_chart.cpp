@@ -146,6 +146,7 @@ TEST_CASE("what no axis can show is told with chart and curve") {
     CHECK_THROWS_WITH(chart.add("good", 2, infinity), doctest::Contains("good has y = inf at x = 2"));
     CHECK_THROWS_WITH(chart.add("good", infinity, 2), doctest::Contains("good has x = inf"));
     CHECK_THROWS_WITH(chart.row({"good", "", 2}), doctest::Contains("good has x ="));
+    CHECK(to_csv(chart.data().table) == "series,x,y\ngood,1,1\n");
 
     Chart bars{"c", "t", {.x = "time [s]", .y = "error", .columns = speed_accuracy()}};
     CHECK_NOTHROW(bars.row({"good", 1, 0.5, 0.25, 0.125}));
