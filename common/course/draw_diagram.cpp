@@ -73,25 +73,27 @@ std::string stroke(const Pen& pen) {
                        widths[std::size_t(pen.weight)], hex(pen.ink));
 }
 
-/// A shape, drawn from its rows of the CSV.
+/// A shape, drawn from its rows of the CSV. Without a title, or a browser would show the CSV's path over it.
 std::string plot_of(const Shape& shape, const std::string& data) {
     switch (shape.kind) {
         case Kind::line:
-            return fmt::format("{} using 3:4 with lines {}", data, stroke(shape.pen));
+            return fmt::format("{} using 3:4 notitle with lines {}", data, stroke(shape.pen));
         case Kind::arrow:
-            return fmt::format("{} using 3:4:5:6 with vectors head filled size screen 0.018,18 {}", data,
-                               stroke(shape.pen));
+            return fmt::format("{} using 3:4:5:6 notitle with vectors head filled size screen 0.018,18 {}",
+                               data, stroke(shape.pen));
         case Kind::area: {
-            std::string border = fmt::format("{} using 3:4 with lines {}", data, stroke(shape.pen));
+            std::string border = fmt::format("{} using 3:4 notitle with lines {}", data, stroke(shape.pen));
             if (shape.opacity <= 0) return border;
             return fmt::format(
-                "{} using 3:4 with filledcurves closed fillcolor rgb '{}' fillstyle transparent solid "
+                "{} using 3:4 notitle with filledcurves closed fillcolor rgb '{}' fillstyle transparent "
+                "solid "
                 "{} noborder, {}",
                 data, hex(shape.pen.ink), shape.opacity, border);
         }
         case Kind::point:
-            return fmt::format("{} using 3:4 with points pointtype 7 pointsize 0.9 linecolor rgb '{}'", data,
-                               hex(shape.pen.ink));
+            return fmt::format(
+                "{} using 3:4 notitle with points pointtype 7 pointsize 0.9 linecolor rgb '{}'", data,
+                hex(shape.pen.ink));
         case Kind::label:
             break;
     }
@@ -134,7 +136,7 @@ std::string diagram_script(const DiagramData& diagram, const std::filesystem::pa
             plots.push_back(plot_of(shape, data));
         row += rows;
     }
-    if (plots.empty()) plots.emplace_back("NaN");  // only labels
+    if (plots.empty()) plots.emplace_back("NaN notitle");  // only labels
     return script + fmt::format("plot {}\n", fmt::join(plots, ", "));
 }
 

@@ -166,6 +166,17 @@ TEST_CASE("every picture and file that a text links to exists") {
         }
 }
 
+TEST_CASE("no published picture names the data file that it was drawn from") {
+    int pictures = 0;
+    for (const auto& entry : fs::directory_iterator(source_folder / "docs" / "pictures")) {
+        if (entry.path().extension() != ".svg") continue;
+        INFO(entry.path().string());
+        CHECK(read_text(entry.path()).find(".csv") == std::string::npos);
+        ++pictures;
+    }
+    CHECK(pictures > 0);
+}
+
 TEST_CASE("links are found in prose, not in code") {
     CHECK(links_of("see [a](b/c.md#d) and ![x](../p.svg \"title\"), "
                    "`[i](j)`\n```\nf[0](k)\n```\n[w](https://w.org) [s](#s)") ==
