@@ -13,16 +13,15 @@
 #include <functional>
 #include <string>
 
+#include "course/program.hpp"
+
 namespace sr::test {
 
-/// What a child left behind: its exit code, 128 + n where signal n ended it, and what it wrote.
-struct Ended {
-    int         code = -1;
-    std::string out;
-    std::string err;
+using course::Ended;
 
-    [[nodiscard]] auto error_lines() const { return std::count(err.begin(), err.end(), '\n'); }
-};
+inline auto error_lines(const Ended& ended) {
+    return std::count(ended.err.begin(), ended.err.end(), '\n');
+}
 
 inline std::string read_all(std::FILE* file) {
     std::string text;

@@ -30,10 +30,9 @@ std::string said(const std::string& errors) {
 std::optional<std::string> run_gnuplot(std::string_view script) {
     const std::optional<Ended> ended = filter_through({"gnuplot", "-d", "-"}, script);
     if (!ended) return std::nullopt;
-    if (ended->exit_code != 0 || ended->output.empty())
-        throw std::runtime_error(
-            fmt::format("gnuplot: {} (exit code {})", said(ended->errors), ended->exit_code));
-    return ended->output;
+    if (ended->code != 0 || ended->out.empty())
+        throw std::runtime_error(fmt::format("gnuplot: {} (exit code {})", said(ended->err), ended->code));
+    return ended->out;
 }
 
 std::string gnuplot_string(std::string_view text) {

@@ -22,11 +22,11 @@ using EachLine = std::function<void(std::string_view)>;
 /// @throws std::runtime_error where there is no such program
 [[nodiscard]] int run_program(const std::vector<std::string>& words, const EachLine& each_line = {});
 
-/// What a program left behind when it ended.
+/// What a program left behind when it ended: its exit code, 128 + n where signal n ended it, and what it wrote.
 struct Ended {
-    int         exit_code = 0;
-    std::string output;
-    std::string errors;
+    int         code = -1;
+    std::string out;
+    std::string err;
 };
 
 /// Runs a program on a given input and keeps what it writes. Ctrl-C is ours to handle.

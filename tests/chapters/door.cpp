@@ -22,7 +22,7 @@ void check_refused(const std::string& arguments, const std::string& named) {
     const Ended ended = run_course(arguments);
     CAPTURE(ended.err);
     CHECK(ended.code == 2);
-    CHECK(ended.error_lines() == 1);
+    CHECK(error_lines(ended) == 1);
     CHECK(contains(ended.err, "error: "));
     CHECK(contains(ended.err, named));
     CHECK(ended.out == "");
@@ -138,7 +138,7 @@ TEST_CASE("where no compiler is, the launcher helps, lists, and tells in one com
 
     const Ended refused = run_bare(scratch, "bash", "run 01");
     CHECK(refused.code == 2);
-    CHECK(refused.error_lines() == 1);
+    CHECK(error_lines(refused) == 1);
     CHECK(contains(refused.err, "missing: C++ compiler, CMake, Ninja; install "));
     CHECK(contains(refused.err, "apt-get update && "));
 }
@@ -148,7 +148,7 @@ TEST_CASE("the launcher in another shell says that it is for bash") {
     const Ended         ended = run_bare(scratch, "sh", "list");
     if (contains(run_shell(scratch.path, "sh -c 'echo $BASH_VERSION'").out, ".")) return;  // sh is bash here
     CHECK(ended.code == 2);
-    CHECK(ended.error_lines() == 1);
+    CHECK(error_lines(ended) == 1);
     CHECK(contains(ended.err, "bash"));
 }
 

@@ -118,7 +118,7 @@ TEST_CASE(
         INFO(name);
         const Ended ended = run_rays(scratch.path, "--quality draft --scene " + name);
         CHECK(ended.code == 2);
-        CHECK(ended.error_lines() == 1);
+        CHECK(error_lines(ended) == 1);
         CHECK(ended.err.find(name) != std::string::npos);
         CHECK(read_text(old) == "an older figure");
     }
@@ -143,6 +143,6 @@ TEST_CASE("chapter 1: sizes, options and folders that can't be are one line on s
         INFO(arguments);
         const Ended ended = run_rays(scratch.path, arguments);
         CHECK(ended.code == 2);
-        CHECK(ended.error_lines() == 1);
+        CHECK(error_lines(ended) == 1);
     }
 }

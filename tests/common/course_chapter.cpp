@@ -14,7 +14,6 @@
 
 using namespace sr;
 using namespace sr::course;
-using sr::test::Ended;
 using sr::test::in_child;
 using sr::test::read_text;
 using sr::test::ScratchFolder;

@@ -257,7 +257,7 @@ TEST_CASE("gnuplot draws every format from the CSV") {
 }
 
 TEST_CASE("gnuplot's own words are passed on, and its absence is no error") {
-    const test::Ended without = test::in_child([] {
+    const Ended without = test::in_child([] {
         ::setenv("PATH", "/no/such/folder", 1);
         return run_gnuplot("plot x") ? 1 : 0;
     });

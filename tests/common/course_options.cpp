@@ -6,7 +6,6 @@
 
 using namespace sr;
 using namespace sr::course;
-using sr::test::Ended;
 using sr::test::in_child;
 
 namespace {
