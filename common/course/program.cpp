@@ -12,6 +12,8 @@
 #include <stdexcept>
 
 #ifdef _WIN32
+#include <process.h>
+
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -22,6 +24,7 @@
 #include <unistd.h>
 
 #include <array>
+#include <exception>
 #include <memory>
 
 extern char** environ;
@@ -73,15 +76,20 @@ int run_and_wait(const std::vector<std::string>& words, const EachLine& each_lin
     if (!pipe) return std::system(fmt::format("\"{}\"", quoted(words)).c_str());
     Lines lines(each_line);
     char  text[4096];
-    while (std::fgets(text, sizeof text, pipe)) lines.add(text);
-    lines.end();
+    try {
+        while (std::fgets(text, sizeof text, pipe)) lines.add(text);
+        lines.end();
+    } catch (...) {
+        _pclose(pipe);
+        throw;
+    }
     return _pclose(pipe);
 }
 
-/// By way of three files in the temporary folder.
+/// By way of three files in a temporary folder of this process.
 std::optional<Ended> filter_and_wait(const std::vector<std::string>& words, std::string_view input) {
     if (std::system(fmt::format("where {} >NUL 2>&1", words[0]).c_str()) != 0) return std::nullopt;
-    const auto folder = std::filesystem::temp_directory_path() / "steradian";
+    const auto folder = std::filesystem::temp_directory_path() / fmt::format("steradian_{}", _getpid());
     std::filesystem::create_directories(folder);
     const auto file = [&](const char* name) { return (folder / name).string(); };
     const auto read = [&](const char* name) {
@@ -92,7 +100,9 @@ std::optional<Ended> filter_and_wait(const std::vector<std::string>& words, std:
     const int exit_code = std::system(fmt::format("\"{} <\"{}\" >\"{}\" 2>\"{}\"\"", quoted(words),
                                                   file("input"), file("output"), file("errors"))
                                           .c_str());
-    return Ended{exit_code, read("output"), read("errors")};
+    Ended     ended{exit_code, read("output"), read("errors")};
+    std::filesystem::remove_all(folder);
+    return ended;
 }
 
 #else
@@ -152,6 +162,7 @@ std::optional<pid_t> start(const std::vector<std::string>& words, const Streams&
     posix_spawn_file_actions_destroy(&actions);
     if (reason == ENOENT) return std::nullopt;
     if (reason != 0) fail(words[0], reason);
+    child = pid;
     return pid;
 }
 
@@ -160,40 +171,75 @@ int exit_code(pid_t pid) {
     int status = 0;
     while (waitpid(pid, &status, 0) < 0 && errno == EINTR) {
     }
+    child = 0;
     return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
 }
 
 /// A pipe whose ends no program inherits.
-std::array<int, 2> make_pipe() {
-    std::array<int, 2> ends = {};
-    if (pipe(ends.data()) != 0) fail("a program with a pipe", errno);
-    for (const int end : ends) fcntl(end, F_SETFD, FD_CLOEXEC);
-    return ends;
-}
+class Pipe {
+public:
+    Pipe() {
+        if (pipe(ends_.data()) != 0) fail("a program with a pipe", errno);
+        for (const int end : ends_) fcntl(end, F_SETFD, FD_CLOEXEC);
+    }
+    ~Pipe() {
+        close_from();
+        close_to();
+    }
+    Pipe(const Pipe&)            = delete;
+    Pipe& operator=(const Pipe&) = delete;
+
+    [[nodiscard]] int from() const { return ends_[0]; }
+    [[nodiscard]] int to() const { return ends_[1]; }
+
+    void close_from() { close_end(ends_[0]); }
+    void close_to() { close_end(ends_[1]); }
+
+private:
+    static void close_end(int& end) {
+        if (end >= 0) close(end);
+        end = -1;
+    }
+
+    std::array<int, 2> ends_ = {-1, -1};
+};
 
 void read_lines(int from, const EachLine& each_line) {
     Lines                  lines(each_line);
     std::array<char, 4096> text;
     ssize_t                count = 0;
-    while ((count = read(from, text.data(), text.size())) > 0)
-        lines.add({text.data(), std::size_t(count)});
+    while ((count = read(from, text.data(), text.size())) > 0) lines.add({text.data(), std::size_t(count)});
     lines.end();
 }
 
-int run_and_wait(const std::vector<std::string>& words, const EachLine& each_line) {
-    const Outlive            outlive_it;
-    const std::array<int, 2> ends  = each_line ? make_pipe() : std::array{-1, -1};
-    const auto [from, to]          = ends;
-    const std::optional<pid_t> pid = each_line ? start(words, {.out = to, .err = to}) : start(words);
+/// Waits for the program also where `each_line` throws, and only then passes that on.
+int read_and_wait(const std::vector<std::string>& words, const EachLine& each_line) {
+    Pipe       pipe;
+    const auto pid = start(words, {.out = pipe.to(), .err = pipe.to()});
     if (!pid) fail(words[0], ENOENT);
-    child = *pid;
-    if (each_line) {
-        close(to);
-        read_lines(from, each_line);
-        close(from);
+    pipe.close_to();
+    std::exception_ptr thrown;
+    try {
+        read_lines(pipe.from(), each_line);
+    } catch (...) {
+        thrown = std::current_exception();
     }
+    pipe.close_from();  // so that a program which still writes ends
     const int code = exit_code(*pid);
-    child          = 0;
+    if (thrown) std::rethrow_exception(thrown);
+    return code;
+}
+
+int run_and_wait(const std::vector<std::string>& words, const EachLine& each_line) {
+    const Outlive outlive_it;
+    int           code = 0;
+    if (each_line) {
+        code = read_and_wait(words, each_line);
+    } else {
+        const auto pid = start(words);
+        if (!pid) fail(words[0], ENOENT);
+        code = exit_code(*pid);
+    }
     return interrupted ? 128 + SIGINT : code;
 }
 
