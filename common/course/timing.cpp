@@ -5,11 +5,22 @@
 #include <algorithm>
 
 namespace sr::course {
+namespace {
+
+constexpr double warm_up = 0.1;  // [s]
+
+}  // namespace
 
 std::vector<Timing> measure(const std::vector<Work>& all, int repeats) {
     std::vector<std::vector<double>> seconds(all.size());
-    for (int repeat = 0; repeat < repeats; ++repeat)
+    const auto                       run_all = [&] {
         for (std::size_t i = 0; i < all.size(); ++i) seconds[i].push_back(seconds_of(all[i].run));
+    };
+    const double first = seconds_of(run_all);
+    if (first < warm_up) {
+        for (auto& of_one : seconds) of_one.clear();
+    }
+    while (seconds[0].size() < std::size_t(repeats)) run_all();
 
     std::vector<Timing> timings;
     for (std::size_t i = 0; i < all.size(); ++i) {

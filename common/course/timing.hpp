@@ -32,7 +32,8 @@ struct Timing {
 };
 
 /// Runs all, then all again, `repeats` times, so that what else the machine does hits all of them alike.
-/// @pre repeats >= 1
+/// Where all together take less than 0.1 s, they run once more before: the first run finds cold caches.
+/// @pre repeats >= 1, all is not empty
 [[nodiscard]] std::vector<Timing> measure(const std::vector<Work>& all, int repeats);
 
 }  // namespace sr::course
