@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "geometry/triangle.hpp"
 #include "math/interval.hpp"
 #include "radiometry/spectrum.hpp"
 #include "scene/scene.hpp"
@@ -42,11 +43,19 @@ struct Look {
     return range;
 }
 
+/// The unit normal on the side of a triangle that is seen along d. One without area, which rounding to float may
+/// give some, has no normal: it faces the viewer.
+[[nodiscard]] inline Vector3<double> seen_normal(const Triangle<double>& triangle, Vector3<double> d) {
+    const Vector3<double> area = area_vector(triangle);
+    const double          size = length(area);
+    if (!(size > 0)) return -normalize(d);
+    return dot(area, d) > 0 ? -area / size : area / size;
+}
+
 /// How a face looks along the direction d, at t.
 [[nodiscard]] inline Look look_at(const Scene& scene, std::uint32_t face, Vector3<double> d, float t,
                                   Interval<float> depths) {
-    Vector3<double> n = normalize(area_vector(scene.mesh.triangle(face)));
-    if (dot(n, d) > 0) n = -n;  // the side that is seen
+    const Vector3<double> n = seen_normal(scene.mesh.triangle(face), d);
 
     const float nearness =
         std::clamp((depths.max - t) / std::max(depths.max - depths.min, 1e-30F), 0.0F, 1.0F);
