@@ -40,8 +40,8 @@ public:
     /// All methods, in turn, `repeats` times. Asking all triangles is timed on so many random pixels that
     /// it takes about `tests` ray-triangle tests, and scaled to the whole image.
     [[nodiscard]] std::vector<Lap> run(int repeats, double tests, std::uint64_t seed) const {
-        const double sampled = std::clamp(tests / double(triangles()), 16.0, double(pixels()));
-        const auto   some    = random_pixels(int(sampled), seed);
+        const double sampled = std::max(tests / double(triangles()), 16.0);
+        const auto   some    = sampled < double(pixels()) ? random_pixels(int(sampled), seed) : every_pixel();
 
         VisibilityImage<float>          raster(1, 1), traced(1, 1), asked(camera_.width, camera_.height);
         std::optional<Hierarchy<float>> hierarchy;
