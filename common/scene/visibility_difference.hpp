@@ -15,13 +15,13 @@
 namespace sr {
 
 struct VisibilityDifference {
-    int    pixels         = 0;
-    int    hit            = 0;  ///< by both
-    int    hit_or_missed  = 0;  ///< hit by one method, missed by the other
-    int    other_triangle = 0;  ///< hit by both, in different triangles
-    int    unexplained    = 0;  ///< of these: neither at an edge nor at a tie in depth
-    double edge_distance  = 0;  ///< of those that are at an edge, the largest distance [pixel]
-    double depth_tie      = 0;  ///< of those that are at a tie, the largest difference relative to t
+    int pixels         = 0;
+    int hit            = 0;  ///< by both
+    int hit_or_missed  = 0;  ///< hit by one method, missed by the other
+    int other_triangle = 0;  ///< hit by both, in different triangles: each is one of the next three
+    int at_edge        = 0;  ///< the pixel's centre lies within edge_tolerance of an edge
+    int at_tie         = 0;  ///< not at an edge, but the depths are within tie_tolerance of each other
+    int unexplained    = 0;  ///< neither
 };
 
 /// How near to an edge, and how nearly tied in depth, a pixel must be for methods to disagree on its triangle.
@@ -69,13 +69,9 @@ template <std::floating_point T>
             const double          edge = std::min(distance_to_edge(mesh.triangle(a.face), centre, camera),
                                                   distance_to_edge(mesh.triangle(b.face), centre, camera));
             const double          tie  = std::abs(double(a.t) - double(b.t)) / double(a.t);
-            if (edge <= edge_tolerance) {
-                result.edge_distance = std::max(result.edge_distance, edge);
-            } else if (tie <= tie_tolerance) {
-                result.depth_tie = std::max(result.depth_tie, tie);
-            } else {
-                ++result.unexplained;
-            }
+            ++(edge <= edge_tolerance ? result.at_edge
+               : tie <= tie_tolerance ? result.at_tie
+                                      : result.unexplained);
         }
     }
     return result;

@@ -2,6 +2,9 @@
 
 #include <doctest/doctest.h>
 
+#include <array>
+#include <cmath>
+#include <cstdint>
 #include <type_traits>
 
 #include "geometry/hierarchy.hpp"
@@ -68,6 +71,7 @@ TEST_CASE_TEMPLATE("rasteriser and ray tracer see the same, to the triangle", T,
         CHECK(world.hit >= 10'000);
         CHECK(world.hit_or_missed == 0);
         CHECK(world.unexplained == 0);
+        CHECK(world.at_edge + world.at_tie == world.other_triangle);
         // With the camera in the origin no digit is lost on the way to either, and nothing is left to explain.
         const auto moved = compare<T>(in_camera_space(view));
         CHECK(moved.hit_or_missed == 0);
@@ -88,6 +92,27 @@ TEST_CASE("the comparison notices a camera that is off by a hundredth of a pixel
     const auto difference = compare_visibility(shifted, rasterise(mesh, camera), mesh, camera);
     CHECK(difference.hit_or_missed >= 1);
     CHECK(difference.unexplained >= 10);
+}
+
+TEST_CASE("a pixel that names another triangle is counted by its excuse") {
+    // Two triangles in one place and a third one beside them, whose edge x = side ends in the pixel's centre.
+    const auto camera = pinhole_camera<double>({0, 0, 0}, {0, 0, 1}, {0, 1, 0}, 1.0, 1.0, 1, 1);
+    const auto differ = [&](double side, double t) {
+        const Mesh<double>  mesh{{{-9, -9, 1}, {9, -9, 1}, {0, 9, 1}, {side, -9, 1}, {side, 9, 1}, {9, 0, 1}},
+                                {{0, 1, 2}, {0, 1, 2}, {3, 4, 5}}};
+        const std::uint32_t other = side < 1 ? 2 : 1;
+        VisibilityImage<double> one(1, 1), two(1, 1);
+        one(0, 0)    = {1, 0};
+        two(0, 0)    = {t, other};
+        const auto d = compare_visibility(one, two, mesh, camera);
+        CHECK(d.other_triangle == 1);
+        return std::array{d.at_edge, d.at_tie, d.unexplained};
+    };
+    CHECK(differ(9e-6, 2) == std::array{1, 0, 0});
+    CHECK(differ(1.1e-5, 2) == std::array{0, 0, 1});
+    CHECK(differ(1, 1 + 9e-7) == std::array{0, 1, 0});
+    CHECK(differ(1, 1 - 1.1e-6) == std::array{0, 0, 1});
+    CHECK(differ(1, std::nan("")) == std::array{0, 0, 1});
 }
 
 TEST_CASE("a triangle that reaches behind the camera is drawn where rays meet it") {
