@@ -55,15 +55,21 @@ inline void add(course::Chart& chart, Curves& curves, const Race& race, const st
     }
 }
 
+/// A number in TeX to two digits: 1.5 x 10^5.
+[[nodiscard]] inline std::string two_digits(double number) {
+    const auto digits = fmt::format("{:.1e}", number);
+    const auto e      = digits.find('e');
+    return fmt::format("${}\\cdot 10^{{{}}}$", digits.substr(0, e), std::stoi(digits.substr(e + 1)));
+}
+
 /// Marks where one method begins to take longer than another, and says so.
 inline std::string mark_crossing(course::Chart& chart, const Curves& curves, const std::string& slower,
                                  const std::string& faster, const std::string& unit) {
     const auto x = crossing(curves.x, curves.seconds.at(slower), curves.seconds.at(faster));
     if (!x) return fmt::format("\"{}\" and \"{}\" do not cross.", slower, faster);
-    const int  exponent = int(std::floor(std::log10(*x)));
-    const auto number   = fmt::format("${:.1f}\\cdot 10^{{{}}}$", *x / std::pow(10.0, exponent), exponent);
-    chart.mark_x(*x, number);
-    return fmt::format("\"{}\" takes longer than \"{}\" from {} {} on.", slower, faster, number, unit);
+    chart.mark_x(*x, two_digits(*x));
+    return fmt::format("\"{}\" takes longer than \"{}\" from {} {} on.", slower, faster, two_digits(*x),
+                       unit);
 }
 
 }  // namespace sr
