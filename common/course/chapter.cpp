@@ -156,11 +156,13 @@ bool Chapter::finish() {
                                         })});
     }
     write_csv(folder() / "claims.csv", to_rows(claims_));
-    remove_outdated(folder(), figures_);
+    const std::vector<std::string> old = outdated(folder(), figures_);
     write_captions(folder(), figures_);
     write_index(options_.out);
+    for (const std::string& file : old) fs::remove(folder() / file);  // last: until here pages show them
     print_claims(claims_);
     print_closing(figures_, folder(), options_.out / "index.html");
+    if (!old.empty()) fmt::print("removed, as older than their data: {}\n", fmt::join(old, ", "));
     return std::all_of(claims_.begin(), claims_.end(), [](const Claim& claim) { return claim.pass(); });
 }
 

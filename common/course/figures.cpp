@@ -127,15 +127,20 @@ std::string heading(std::string chapter) {
 
 }  // namespace
 
-void remove_outdated(const fs::path& chapter, const std::vector<Figure>& figures) {
+std::vector<std::string> outdated(const fs::path& chapter, const std::vector<Figure>& figures) {
+    std::vector<std::string> names;
     for (const Figure& old : listed_before(chapter / captions_file)) {
         const auto remade = std::find_if(figures.begin(), figures.end(),
                                          [&](const Figure& figure) { return figure.name == old.name; });
         if (remade == figures.end()) continue;
-        for (const std::string& file : old.files)
-            if (std::find(remade->files.begin(), remade->files.end(), file) == remade->files.end())
-                fs::remove(chapter / file);
+        for (const std::string& file : old.files) {
+            const bool in_folder = fs::path(file).filename() == file && fs::is_regular_file(chapter / file);
+            if (in_folder &&
+                std::find(remade->files.begin(), remade->files.end(), file) == remade->files.end())
+                names.push_back(file);
+        }
     }
+    return names;
 }
 
 void write_captions(const fs::path& chapter, const std::vector<Figure>& figures) {

@@ -17,9 +17,10 @@ struct Figure {
     std::vector<std::string> files;  ///< in the chapter's folder, the picture to look at first
 };
 
-/// Removes what the captions.csv of an earlier run lists for these figures and this run did not make: another
-/// format would show old numbers. What no run listed is a person's own, and stays.
-void remove_outdated(const std::filesystem::path& chapter, const std::vector<Figure>& figures);
+/// Names what the captions.csv of an earlier run lists for these figures and this run did not make: another
+/// format, or a chart where gnuplot is gone, would show old numbers. What no run listed is a person's own.
+[[nodiscard]] std::vector<std::string> outdated(const std::filesystem::path& chapter,
+                                                const std::vector<Figure>&   figures);
 
 /// Writes `captions.csv` into the chapter's folder: figure,kind,title,caption,files.
 void write_captions(const std::filesystem::path& chapter, const std::vector<Figure>& figures);

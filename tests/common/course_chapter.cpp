@@ -90,12 +90,28 @@ TEST_CASE("a figure that is remade in one format leaves no older one of another,
     CHECK(run_program(out.path, small_chapter, {"--format", "svg,tex"}).code == 0);
     const bool drawn = std::filesystem::exists(folder / "line.tex");  // where gnuplot is
     std::ofstream{folder / "line.pdf"} << "my own";
-    CHECK(run_program(out.path, small_chapter, {"--format", "svg"}).code == 0);
+    const Ended again = run_program(out.path, small_chapter, {"--format", "svg"});
+    CHECK(again.code == 0);
+    CHECK(contains(again.out, "removed, as older than their data: line.tex, arrow.tex\n") == drawn);
     CHECK(std::filesystem::exists(folder / "line.svg") == drawn);
     CHECK(!std::filesystem::exists(folder / "line.tex"));
     CHECK(read_text(folder / "line.pdf") == "my own");
     CHECK(std::filesystem::exists(folder / "grey.hdr"));
     CHECK(!contains(read_text(out.path / "index.html"), "line.tex"));
+
+    const Ended undrawn = run_program(out.path, [](Chapter& chapter) {
+        ::setenv("PATH", "/no/such/folder", 1);
+        small_chapter(chapter);
+    });
+    CHECK(contains(undrawn.out, "removed, as older than their data: line.svg, arrow.svg\n") == drawn);
+    CHECK(!std::filesystem::exists(folder / "line.svg"));
+
+    std::ofstream{out.path / "own.svg"} << "my own";
+    std::ofstream{folder / "captions.csv"} << "figure,kind,title,caption,files\n"
+                                              "line,chart,,,../own.svg .. line.pdf\n";
+    CHECK(run_program(out.path, small_chapter).code == 0);
+    CHECK(read_text(out.path / "own.svg") == "my own");
+    CHECK(!std::filesystem::exists(folder / "line.pdf"));  // listed, and so no longer a person's
 
     std::ofstream{folder / "captions.csv"} << "damaged\n1,2\n";
     CHECK(run_program(out.path, small_chapter).code == 0);
