@@ -66,7 +66,7 @@ std::vector<std::string> write_drawn(const fs::path& folder, const std::string& 
 void print_claims(const std::vector<Claim>& claims) {
     if (claims.empty()) return;
     const auto failed = std::count_if(claims.begin(), claims.end(), [](const Claim& c) { return !c.pass(); });
-    fmt::print("\n{}", to_text(to_rows(claims), claim_text));
+    fmt::print("\n{}", to_text(to_table(claims), claim_text));
     if (failed == 0)
         fmt::print("{}\n", emphasise(counted(std::ssize(claims), "claim") + ", all hold", Emphasis::good));
     else
@@ -156,6 +156,7 @@ bool Chapter::finish() {
                                         })});
     }
     write_csv(folder() / "claims.csv", to_rows(claims_));
+    write_csv(folder() / "claims_shown.csv", to_table(claims_));
     const std::vector<std::string> old = outdated(folder(), figures_);
     write_captions(folder(), figures_);
     write_index(options_.out);

@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::string_view captions_file = "captions.csv";
-constexpr std::string_view claims_file   = "claims.csv";
+constexpr std::string_view claims_file   = "claims_shown.csv";
 
 constexpr std::string_view page_head = R"(<!DOCTYPE html>
 <html lang="en">

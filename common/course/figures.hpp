@@ -25,7 +25,8 @@ struct Figure {
 /// Writes `captions.csv` into the chapter's folder: figure,kind,title,caption,files.
 void write_captions(const std::filesystem::path& chapter, const std::vector<Figure>& figures);
 
-/// Writes `index.html`, one page of all chapters' figures and claims, from what their folders hold.
+/// Writes `index.html`, one page of all chapters' figures and claims, from what their folders hold: captions.csv and
+/// claims_shown.csv.
 void write_index(const std::filesystem::path& figures_root);
 
 }  // namespace sr::course

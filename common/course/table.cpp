@@ -33,12 +33,12 @@ std::string four_digits(const std::vector<Cell>& row, std::size_t column) {
 std::string to_text(const Rows& table, const CellText& shown) {
     const std::size_t        columns = table.header.size();
     std::vector<std::size_t> widths(columns);
-    std::vector<bool>        numbers(columns, !table.rows.empty());
+    std::vector<bool>        numbers(columns, false);
     for (std::size_t c = 0; c < columns; ++c) {
         widths[c] = width(table.header[c]);
         for (const auto& row : table.rows) {
             widths[c]  = std::max(widths[c], width(shown(row, c)));
-            numbers[c] = numbers[c] && row[c].is_number();
+            numbers[c] = numbers[c] || row[c].is_number();
         }
     }
 

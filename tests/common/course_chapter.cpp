@@ -127,6 +127,8 @@ TEST_CASE("a claim that fails, NaN too, makes the program exit with 1") {
         CHECK(ended.code == 1);
         CHECK(contains(ended.out, "1 of 2 claims failed"));
         CHECK(contains(read_text(out.path / "99_demo" / "claims.csv"), ",no\n"));
+        CHECK(contains(read_text(out.path / "index.html"),
+                       std::isnan(measured) ? "<td>&lt;= 1</td><td>nan</td>" : "<td>&lt;= 1</td><td>2</td>"));
     }
 }
 
