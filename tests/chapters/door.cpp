@@ -105,6 +105,39 @@ TEST_CASE("a relative --out means the folder of the person who calls") {
     CHECK(fs::exists(scratch.path / "there" / "index.html"));
 }
 
+TEST_CASE("the site is made without a warning, and its first page named") {
+    const std::string packages = read_text(build_folder / "packages.csv");
+    if (contains(packages, "Doxygen,docs,missing") || contains(packages, "MathJax,docs,missing")) return;
+    const Ended ended = run_course("docs");
+    CAPTURE(ended.err);
+    CHECK(ended.code == 0);
+    CHECK(ended.err == "");
+    const fs::path page = build_folder / "docs" / "html" / "index.html";
+    CHECK(ended.out == page.string() + "\n");
+    CHECK(contains(read_text(page), "Steradian"));
+}
+
+TEST_CASE("test and bench hand on what a person names") {
+    const ScratchFolder scratch{"door"};
+    const auto told = [&](const std::string& arguments) {  // in place of ctest and CMake, which take long
+        return run_shell(scratch.path,
+                         "for name in ctest cmake; do printf '#!/bin/sh\necho %s \"$@\"\n' $name >"
+                         "$name; chmod +x $name; done; PATH=$PWD:$PATH '" +
+                             (build_folder / "bin" / "course").string() + "' " + arguments);
+    };
+    const Ended test = told("test shapes 'a b'");
+    CHECK(test.code == 0);
+    CHECK(contains(test.err, "cmake --build " + build_folder.string() + "\n"));
+    CHECK(test.out.starts_with("ctest --test-dir " + build_folder.string() + " "));
+    CHECK(test.out.ends_with(" --tests-regex shapes|a b\n"));
+    CHECK_FALSE(contains(told("test").out, "--tests-regex"));
+
+    const std::string topic = (source_folder / "tests" / "speed" / "door.cmake").string();
+    CHECK(told("bench door --csv x.csv").out ==
+          "cmake -DCSV=" + (scratch.path / "x.csv").string() + " -P " + topic + "\n");
+    CHECK(told("bench door").out == "cmake -P " + topic + "\n");
+}
+
 TEST_CASE("Ctrl-C ends a chapter with 130 and leaves no part of a file") {
     const ScratchFolder scratch{"door"};
     const std::string   course  = (build_folder / "bin" / "course").string();
