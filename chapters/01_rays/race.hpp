@@ -15,6 +15,7 @@
 #include "scene/rasteriser.hpp"
 #include "scenes.hpp"
 #include "transport/primary.hpp"
+#include "wrong_pixels.hpp"
 
 namespace sr {
 
@@ -41,7 +42,8 @@ public:
     /// it takes about `tests` ray-triangle tests, and scaled to the whole image.
     [[nodiscard]] std::vector<Lap> run(int repeats, double tests, std::uint64_t seed) const {
         const double sampled = std::max(tests / double(triangles()), 16.0);
-        const auto   some    = sampled < double(pixels()) ? random_pixels(int(sampled), seed) : every_pixel();
+        const auto   every   = every_pixel(camera_.width, camera_.height);
+        const auto   some    = sampled < double(pixels()) ? random_pixels(int(sampled), seed) : every;
 
         VisibilityImage<float>          raster(1, 1), traced(1, 1), asked(camera_.width, camera_.height);
         std::optional<Hierarchy<float>> hierarchy;
@@ -56,28 +58,15 @@ public:
                              {"rays, hierarchy", [&] { traced = trace_primary(*hierarchy, camera_); }}},
                             repeats);
 
-        const auto every = every_pixel();
         return {lap(timings[0], 1, raster, every),
                 lap(timings[1], double(pixels()) / double(some.size()), asked, some),
                 lap(timings[3], 1, traced, every), with_build(timings[2], lap(timings[3], 1, traced, every))};
     }
 
 private:
-    struct Pixel {
-        int x, y;
-    };
-
     void see(const BruteForce<float>& all, Pixel p, VisibilityImage<float>& image) const {
         const auto hit  = all.nearest(camera_.ray_through_pixel(p.x, p.y));
         image(p.x, p.y) = hit ? Visible<float>{hit->t, hit->face} : Visible<float>{};
-    }
-
-    [[nodiscard]] std::vector<Pixel> every_pixel() const {
-        std::vector<Pixel> result;
-        for (int y = 0; y < camera_.height; ++y) {
-            for (int x = 0; x < camera_.width; ++x) result.push_back({x, y});
-        }
-        return result;
     }
 
     [[nodiscard]] std::vector<Pixel> random_pixels(int count, std::uint64_t seed) const {
@@ -93,9 +82,8 @@ private:
 
     [[nodiscard]] Lap lap(const course::Timing& timing, double scale, const VisibilityImage<float>& image,
                           const std::vector<Pixel>& where) const {
-        int wrong = 0;
-        for (const auto& p : where) wrong += image(p.x, p.y).face != reference_(p.x, p.y).face ? 1 : 0;
-        const double n = double(where.size());
+        const int    wrong = wrong_pixels(image, reference_, where);
+        const double n     = double(where.size());
         // All pixels leave nothing to chance. Of a sample, the error is that of the share (wrong + 1) / (n + 2),
         // which is not zero where none was wrong (Laplace).
         const bool   all = where.size() == image.pixels().size();
