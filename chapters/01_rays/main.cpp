@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,22 +13,19 @@
 #include "diagrams.hpp"
 #include "far_from_the_origin.hpp"
 #include "geometry/hierarchy.hpp"
+#include "math/degrees.hpp"
 #include "math/extremes.hpp"
 #include "race_chart.hpp"
 #include "render.hpp"
 #include "scene/rasteriser.hpp"
-#include "scene/visibility_difference.hpp"
 #include "scenes.hpp"
 #include "statistics/slope.hpp"
 #include "transport/primary.hpp"
+#include "transport/swapped_loops.hpp"
 #include "wrong_pixels.hpp"
 
 namespace sr {
 namespace {
-
-double degrees(double radians) {
-    return radians * 180 / std::numbers::pi;
-}
 
 /// 1.1  Which ray belongs to a pixel?
 void pinhole(course::Chapter& chapter) {
@@ -91,15 +87,6 @@ void ray_optics(course::Chapter& chapter) {
 }
 
 /// 1.4  Is the image the same if the loops are swapped?
-template <class T>
-VisibilityDifference compare(const Mesh<double>& exact, const Camera<double>& exact_camera, int threads) {
-    const auto         mesh   = convert<T>(exact);
-    const auto         camera = convert<T>(exact_camera);
-    const Hierarchy<T> hierarchy(mesh);
-    return compare_visibility(trace_primary(hierarchy, camera, {.threads = threads}), rasterise(mesh, camera),
-                              mesh, camera);
-}
-
 void loops_swapped(course::Chapter& chapter) {
     chapter.section("1.4 The loops swapped");
     auto diagram = chapter.diagram("two_loops", "The same two loops in two orders");
@@ -107,10 +94,10 @@ void loops_swapped(course::Chapter& chapter) {
     diagram.caption(
         "A ray tracer asks all triangles for one pixel, a rasteriser all pixels for one triangle.");
 
-    constexpr int side    = 256;  // whatever the pictures' size: these numbers are in the text
-    const int     threads = chapter.options().threads;
-    course::Rows  table{{"scene", "space", "precision", "pixels hit", "hit or missed", "other triangle",
-                         "at an edge", "at a tie", "unexplained"}};
+    constexpr int  side = 256;  // whatever the pictures' size: these numbers are in the text
+    const TileLoop loop{.threads = chapter.options().threads};
+    course::Rows   table{{"scene", "space", "precision", "pixels hit", "hit or missed", "other triangle",
+                          "at an edge", "at a tie", "unexplained"}};
     for (const auto& [name, shot, pixels_hit, float_differs] :
          {std::tuple{"Cornell box", cornell_shot(side), 61'195, 0},
           {"teapot", teapot_shot(64, side), 13'790, 1}}) {
@@ -118,10 +105,10 @@ void loops_swapped(course::Chapter& chapter) {
         const auto moved_camera = in_camera_space(shot.camera);
         for (const auto& [space, precision, other, difference] :
              {std::tuple{"world", "float", float_differs,
-                         compare<float>(shot.scene.mesh, shot.camera, threads)},
-              {"world", "double", 0, compare<double>(shot.scene.mesh, shot.camera, threads)},
-              {"camera", "float", 0, compare<float>(moved_mesh, moved_camera, threads)},
-              {"camera", "double", 0, compare<double>(moved_mesh, moved_camera, threads)}}) {
+                         compare_swapped_loops<float>(shot.scene.mesh, shot.camera, loop)},
+              {"world", "double", 0, compare_swapped_loops<double>(shot.scene.mesh, shot.camera, loop)},
+              {"camera", "float", 0, compare_swapped_loops<float>(moved_mesh, moved_camera, loop)},
+              {"camera", "double", 0, compare_swapped_loops<double>(moved_mesh, moved_camera, loop)}}) {
             table.add({name, space, precision, difference.hit, difference.hit_or_missed,
                        difference.other_triangle, difference.at_edge, difference.at_tie,
                        difference.unexplained});

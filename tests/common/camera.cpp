@@ -6,16 +6,11 @@
 #include <limits>
 #include <tuple>
 
+#include "math/degrees.hpp"
 #include "math/extremes.hpp"
 #include "scene/cornell_box.hpp"
 
 using namespace sr;
-
-namespace {
-double degrees(double radians) {
-    return radians * 180 / std::acos(-1.0);
-}
-}  // namespace
 
 TEST_CASE("the Cornell box's camera sees the published field of view, corner to corner") {
     const auto camera = cornell_box_camera(640);
@@ -44,7 +39,8 @@ TEST_CASE_TEMPLATE("projection and ray are inverse", T, float, double) {
             for (const T t : {T(1e-3), T(1), T(50)}) {
                 const auto image = camera.project(camera.ray_through_pixel(x, y).at(t));
                 REQUIRE(image);
-                worst = max_or_nan(worst, length(Vector2<double>(*image) - Vector2<double>(x + 0.5, y + 0.5)));
+                worst =
+                    max_or_nan(worst, length(Vector2<double>(*image) - Vector2<double>(x + 0.5, y + 0.5)));
             }
         }
     }

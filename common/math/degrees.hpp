@@ -1,0 +1,13 @@
+#pragma once
+/// @file degrees.hpp
+
+#include <numbers>
+
+namespace sr {
+
+/// An angle [deg] from radians.
+[[nodiscard]] constexpr double degrees(double radians) {
+    return radians * 180 / std::numbers::pi;
+}
+
+}  // namespace sr
