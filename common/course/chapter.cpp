@@ -155,6 +155,8 @@ bool Chapter::finish() {
                                             return diagram_script(data, csv, format);
                                         })});
     }
+    const auto place = [&](const Figure& figure) { return std::ranges::find(names_, figure.name); };
+    std::ranges::sort(figures_, {}, place);  // as the chapter made them
     write_csv(folder() / "claims.csv", to_rows(claims_));
     write_csv(folder() / "claims_shown.csv", to_table(claims_));
     const std::vector<std::string> old = outdated(folder(), figures_);

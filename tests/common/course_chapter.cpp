@@ -62,7 +62,11 @@ TEST_CASE("a chapter leaves its figures, their captions, its claims and the page
           "claim,expected,measured,error,tolerance,pass\n\"99.1 one, or nearly\",1,1.25,0.25,0.25,yes\n");
     CHECK(std::filesystem::file_size(folder / "grey.png") > 0);
     CHECK(std::filesystem::file_size(folder / "grey.hdr") > 0);
-    CHECK(read_csv(folder / "captions.csv").rows.size() == 3);
+    const Rows captions = read_csv(folder / "captions.csv");
+    REQUIRE(captions.rows.size() == 3);
+    CHECK(captions.rows[0][0].text() == "line");  // in the chapter's order
+    CHECK(captions.rows[1][0].text() == "arrow");
+    CHECK(captions.rows[2][0].text() == "grey");
     const std::string page = read_text(out.path / "index.html");
     for (const char* part : {"99_demo/grey.png", "99_demo/grey.hdr", "A line &amp; more", "99_demo/line.csv",
                              "<i>L</i>", "A grey image", "99.1 one, or nearly", "class=\"yes\""})
