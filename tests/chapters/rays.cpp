@@ -19,7 +19,7 @@ Ended run_rays(const fs::path& folder, const std::string& arguments) {
 }
 
 /// Numbers of the text that are no results of the program: what is given, and times, which are charted.
-const std::set<double> given{0.035, 0.025, 0.0125, 2.44, 1e-5, 1e-6, 261'632, 6e4, 1e5};
+const std::set<double> given{0.035, 0.025, 0.0125, 2.44, 1e-5, 1e-6, 261'632, 16'256, 6e4, 1e5};
 
 std::map<std::string, std::string> renders_in(const fs::path& folder) {
     std::map<std::string, std::string> bytes;
