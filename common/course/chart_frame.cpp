@@ -96,6 +96,24 @@ Extent x_extent(const ChartData& chart, const std::vector<Curve>& curves) {
     return extent;
 }
 
+/// Makes room for 0 below the numbers of a logarithmic axis.
+Scale with_zero(Scale scale) {
+    scale.lowest = scale.min;
+    scale.min *= std::pow(scale.max / scale.min, -0.12);
+    return scale;
+}
+
+bool has_zero(const std::vector<Curve>& curves) {
+    return std::ranges::any_of(
+        curves, [](const Curve& c) { return std::ranges::find(c.points, 0.0, &Point::y) != c.points.end(); });
+}
+
+bool has_positive(const std::vector<Curve>& curves) {
+    return std::ranges::any_of(curves, [](const Curve& c) {
+        return std::ranges::any_of(c.points, [](const Point& p) { return p.y > 0; });
+    });
+}
+
 /// In the words of the note under the chart, for a curve of which no point can be drawn.
 std::string why_not_shown(const ChartData& chart, const Rows& grouped, const Curve& curve) {
     bool all_gaps = true;
@@ -225,6 +243,7 @@ private:
 }  // namespace
 
 double Scale::operator()(double value) const {
+    if (log && shows_zero() && value == 0) value = zero();
     const double share = log ? std::log(value / min) / std::log(max / min) : (value - min) / (max - min);
     return from + share * (to - from);
 }
@@ -242,11 +261,14 @@ Curves curves_of(const ChartData& chart, const Rows& grouped) {
         const Point p{row[x].number(), row[y].number()};
         const bool  gap = !row[y].is_number();
         const bool  shown =
-            !gap && (p.x > 0 || !is_log(chart, axis::x)) && (p.y > 0 || !is_log(chart, axis::y));
+            !gap && (p.x > 0 || !is_log(chart, axis::x)) && (p.y >= 0 || !is_log(chart, axis::y));
         if (shown) all.back().points.push_back(p);
     }
     if (all.empty()) throw std::invalid_argument(fmt::format("chart {}: it has no rows", chart.name));
 
+    if (is_log(chart, axis::y) && !has_positive(all)) {  // 0 has no place where no other number gives one
+        for (Curve& curve : all) curve.points.clear();
+    }
     Curves curves;
     for (Curve& curve : all)
         if (curve.points.empty())
@@ -275,6 +297,7 @@ Frame lay_out(const ChartData& chart, const Curves& all) {
     frame.canvas.height += caption;
     frame.x = scale_of(x_extent(chart, curves), is_log(chart, axis::x));
     frame.y = scale_of(y_extent(chart, curves), is_log(chart, axis::y));
+    if (frame.y.log && has_zero(curves)) frame.y = with_zero(frame.y);
 
     // a curve that ends near the right edge has its label in the margin, which is as wide as that needs
     std::vector<const Curve*> at_edge;

@@ -3,6 +3,7 @@
 /// What of a chart is drawn where: its curves, the ranges of its axes, the place of every label. Units are those of
 /// the canvas, y upwards from its lower left corner.
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -14,17 +15,18 @@ namespace sr::course {
 
 /// One curve: consecutive rows of the CSV.
 struct Curve {
-    std::string        name;
-    Ink                ink;
-    std::size_t        first_row;
-    std::size_t        last_row;
-    std::vector<Point> points;  ///< those that its axes can show: no gaps, and positive where logarithmic
+    std::string name;
+    Ink         ink;
+    std::size_t first_row;
+    std::size_t last_row;
+    std::vector<Point>
+        points;  ///< those that its axes can show: no gaps, nor what is negative where logarithmic
 };
 
-/// The curves that the axes can show, and those that they can't: no value of them is positive on a logarithmic axis.
+/// The curves that the axes can show, and those that they can't: all of them is negative on a logarithmic axis.
 struct Curves {
     std::vector<Curve> shown;
-    std::string not_shown = {};  ///< the note on the others: "not shown: float (0 everywhere)"; or empty
+    std::string not_shown = {};  ///< the note on the others: "not shown: float (nowhere above 0)"; or empty
 };
 
 /// @throws std::invalid_argument naming the chart when no curve can be drawn
@@ -38,7 +40,12 @@ struct Scale {
     double from = 0;  ///< where on the canvas min lies
     double to   = 1;  ///< and max
     double step = 0;  ///< between the numbers along a linear axis
-    double operator()(double value) const;
+    double lowest =
+        0;  ///< number of a logarithmic axis that shows 0 as well, in the room between min and this
+
+    [[nodiscard]] bool   shows_zero() const { return lowest > 0; }
+    [[nodiscard]] double zero() const { return std::sqrt(min * lowest); }  ///< drawn in its place
+    [[nodiscard]] double operator()(double value) const;
 };
 
 /// A text of one or more lines: where its first line stands.

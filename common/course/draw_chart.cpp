@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "course/chart_frame.hpp"
@@ -41,7 +42,8 @@ std::string text_block(const Dialect& dialect, const Canvas& canvas, const std::
 /// at 2 and 5 where they would be very few.
 std::string log_ticks(char name, const Scale& scale, const Dialect& dialect) {
     const double decades = std::log10(scale.max / scale.min);
-    if (decades > 8) return fmt::format("set format {} {}\n", name, dialect.power_of_ten());
+    if (decades > 8 && !scale.shows_zero())
+        return fmt::format("set format {} {}\n", name, dialect.power_of_ten());
     std::vector<std::string> major;
     std::vector<std::string> minor;
     const int                first = int(std::floor(std::log10(scale.min)));
@@ -51,7 +53,8 @@ std::string log_ticks(char name, const Scale& scale, const Dialect& dialect) {
         for (int digit = 1; digit <= 9; ++digit) {
             const double value = digit * std::pow(10, power);
             const bool   named = digit == 1 || (decades < 1.7 && (digit == 2 || digit == 5));
-            if (value < scale.min * (1 - 1e-9) || value > scale.max * (1 + 1e-9)) continue;
+            if (value < std::max(scale.min, scale.lowest) * (1 - 1e-9) || value > scale.max * (1 + 1e-9))
+                continue;
             const std::string label =
                 plain ? (value < 1 ? fmt::format("{:.10g}", value) : whole(std::llround(value)))
                       : fmt::format("${}10^{{{}}}$", digit == 1 ? "" : fmt::format("{}\\cdot", digit), power);
@@ -60,6 +63,7 @@ std::string log_ticks(char name, const Scale& scale, const Dialect& dialect) {
             else
                 minor.push_back(fmt::format("'' {:.10g} 1", value));
         }
+    if (scale.shows_zero()) major.push_back(fmt::format("'0' {:.10g}", scale.zero()));
     major.insert(major.end(), minor.begin(), minor.end());
     return fmt::format("set {}tics ({})\n", name, fmt::join(major, ", "));
 }
@@ -137,10 +141,12 @@ std::string plot_of(const ChartData& chart, const Curve& curve, const Frame& fra
             fmt::format("vectors nohead linewidth 1.5 linecolor rgb '{}'", hex(curve.ink));
         plot = fmt::format("{} using {}:{}:(0):({}-{}) {} with {}, ", data, x, from, high, from, title, line);
     }
+    const std::string height =
+        frame.y.shows_zero() ? fmt::format("(${0}==0?{1:.10g}:${0})", y, frame.y.zero()) : std::to_string(y);
     return plot + fmt::format(
                       "{} using {}:{} {} with linespoints linewidth 2.5 pointtype 7 pointsize 0.6 linecolor "
                       "rgb '{}'",
-                      data, x, y, title, hex(curve.ink));
+                      data, x, height, title, hex(curve.ink));
 }
 
 }  // namespace

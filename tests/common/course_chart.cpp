@@ -183,7 +183,7 @@ TEST_CASE("a gap interrupts the line") {
     if (whole >= 0) CHECK(lines_drawn(chart) == whole - 2);
 }
 
-TEST_CASE("a curve that a logarithmic axis can't show is named under the chart") {
+TEST_CASE("a logarithmic axis shows 0 below its numbers, and names under the chart what it can't show") {
     Chart chart{"c", "t", {.x = "x", .y = "y", .log = axis::y}};
     for (const double x : {1.0, 2.0}) {
         chart.add("float, camera space", x, 0);
@@ -191,16 +191,23 @@ TEST_CASE("a curve that a logarithmic axis can't show is named under the chart")
         chart.add("good", x, x == 1 ? 0 : 3);
     }
     const Curves curves = curves_of(chart.data(), grouped_by_series(chart.data()));
-    REQUIRE(curves.shown.size() == 1);
-    CHECK(curves.shown[0].name == "good");
-    CHECK(curves.shown[0].ink == Ink::green);  // the third, as in a chart that shows all three
-    CHECK(curves.shown[0].points == std::vector<Point>{{2, 3}});
-    CHECK(curves.not_shown == "not shown: float, camera space (0 everywhere); below (nowhere above 0)");
+    REQUIRE(curves.shown.size() == 2);
+    CHECK(curves.shown[0].points == std::vector<Point>{{1, 0}, {2, 0}});
+    CHECK(curves.shown[1].name == "good");
+    CHECK(curves.shown[1].ink == Ink::green);  // the third, as in a chart that shows all three
+    CHECK(curves.shown[1].points == std::vector<Point>{{1, 0}, {2, 3}});
+    CHECK(curves.not_shown == "not shown: below (nowhere above 0)");
+    const Scale y = laid_out(chart).y;
+    CHECK(y.shows_zero());
+    CHECK(y(0) > y.from);
+    CHECK(y(0) < y(y.lowest));
+    CHECK(y.lowest < 3);
     CHECK(laid_out(chart).caption == std::vector{curves.not_shown});
     CHECK(grouped_by_series(chart.data()).rows.size() == 6);
     const std::string script = chart_script(chart.data(), "c.csv", "svg");
     CHECK(script.find("every ::4::5") != std::string::npos);
-    CHECK(script.find("every ::0::1") == std::string::npos);
+    CHECK(script.find("every ::2::3") == std::string::npos);
+    CHECK(script.find("'0' ") != std::string::npos);
 
     Chart none{"c", "t", {.x = "x", .y = "y", .log = axis::y}};
     none.add("zero", 1, 0);
