@@ -34,7 +34,7 @@ TEST_CASE("chapter 1: faces without area, some of which rounding to float makes 
     write_lines(scratch.path / "lines.obj", 20'000);
     const Ended ended =
         run_shell(scratch.path, "'" + (build_folder / "bin" / "01_rays").string() +
-                                    "' --quality draft --size 128 --samples 64 --scene lines.obj");
+                                    "' --quality draft --size 32 --samples 64 --scene lines.obj");
     CHECK(ended.code == 0);
     CHECK(ended.err == "");  // nor is it said that the pictures are blank
 }
