@@ -17,8 +17,9 @@ TEST_CASE("every pixel is visited once, also where tiles do not fit") {
     for (const auto& [width, height] : {std::pair{1, 1}, {16, 16}, {17, 15}, {100, 37}}) {
         std::vector<std::atomic<int>> visits(std::size_t(width) * std::size_t(height));
         int                           tiles = 0;
-        for_each_pixel(width, height, {.threads = 3},
-                       [&, w = width](int x, int y) { ++visits[std::size_t(y * w + x)]; });
+        for_each_pixel(width, height, {.threads = 3}, [&, w = width](int x, int y) {
+            ++visits[std::size_t(y) * std::size_t(w) + std::size_t(x)];
+        });
         for_each_pixel(width, height,
                        {.threads = 1, .on_tile = [&](int done, int of) { tiles = done == of ? of : 0; }},
                        [](int, int) {});
