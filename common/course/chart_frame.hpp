@@ -15,15 +15,14 @@ namespace sr::course {
 
 /// One curve: consecutive rows of the CSV.
 struct Curve {
-    std::string name;
-    Ink         ink;
-    std::size_t first_row;
-    std::size_t last_row;
-    std::vector<Point>
-        points;  ///< those that its axes can show: no gaps, nor what is negative where logarithmic
+    std::string        name;
+    Ink                ink;
+    std::size_t        first_row;
+    std::size_t        last_row;
+    std::vector<Point> points;  ///< what its axes can show: no gap, nothing negative where logarithmic
 };
 
-/// The curves that the axes can show, and those that they can't: all of them is negative on a logarithmic axis.
+/// The curves that the axes can show, and those that they can't: of no point, or below 0 on a logarithmic axis.
 struct Curves {
     std::vector<Curve> shown;
     std::string not_shown = {};  ///< the note on the others: "not shown: float (nowhere above 0)"; or empty
@@ -32,16 +31,16 @@ struct Curves {
 /// @throws std::invalid_argument naming the chart when no curve can be drawn
 [[nodiscard]] Curves curves_of(const ChartData& chart, const Rows& grouped);
 
-/// One axis: the values at its ends, and how they map to the canvas.
+/// One axis: the values at its ends, and how they map to the canvas. A logarithmic axis that shows 0 too has its
+/// place between min and `lowest`, the least of its numbers.
 struct Scale {
-    bool   log  = false;
-    double min  = 0;
-    double max  = 1;
-    double from = 0;  ///< where on the canvas min lies
-    double to   = 1;  ///< and max
-    double step = 0;  ///< between the numbers along a linear axis
-    double lowest =
-        0;  ///< number of a logarithmic axis that shows 0 as well, in the room between min and this
+    bool   log    = false;
+    double min    = 0;
+    double max    = 1;
+    double from   = 0;  ///< where on the canvas min lies
+    double to     = 1;  ///< and max
+    double step   = 0;  ///< between the numbers along a linear axis
+    double lowest = 0;  ///< 0: it shows no 0
 
     [[nodiscard]] bool   shows_zero() const { return lowest > 0; }
     [[nodiscard]] double zero() const { return std::sqrt(min * lowest); }  ///< drawn in its place
