@@ -22,6 +22,7 @@
 #include <sstream>
 #include <string>
 #include <type_traits>
+#include <unordered_map>
 
 namespace sr::test {
 
@@ -32,7 +33,8 @@ void check_law(const std::string& what, const Law& law, int cases = 2000) {
     params.seed       = 1;
     params.maxSuccess = cases;
     rc::detail::TestListenerAdapter silent;  // doctest speaks, and the usual one speaks of a random seed
-    const auto result = rc::detail::checkTestable(law, rc::detail::TestMetadata{what, what}, params, silent);
+    const auto result = rc::detail::checkTestable(law, rc::detail::TestMetadata{what, what}, params, silent,
+                                                  std::unordered_map<std::string, rc::detail::Reproduce>{});
 
     std::ostringstream told;
     rc::detail::printResultMessage(result, told);

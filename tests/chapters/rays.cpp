@@ -5,33 +5,10 @@
 
 #include <map>
 
-#include "course/csv.hpp"
-#include "run_course.hpp"
-#include "text_numbers.hpp"
+#include "chapter_checks.hpp"
 
 using namespace sr;
 using namespace sr::test;
-
-namespace {
-
-Ended run_rays(const fs::path& folder, const std::string& arguments) {
-    return run_shell(folder, "'" + (build_folder / "bin" / "01_rays").string() + "' " + arguments);
-}
-
-/// Numbers of the text that are no results of the program: what is given, and times, which are charted.
-const std::set<double> given{0.035, 0.025, 0.0125, 2.44, 1e-5, 1e-6, 261'632, 16'256, 6e4, 1e5};
-
-std::map<std::string, std::string> renders_in(const fs::path& folder) {
-    std::map<std::string, std::string> bytes;
-    for (const auto& entry : fs::directory_iterator(folder)) {
-        const auto type = entry.path().extension();
-        if (type == ".hdr" || type == ".png")
-            bytes[entry.path().filename().string()] = read_text(entry.path());
-    }
-    return bytes;
-}
-
-}  // namespace
 
 TEST_CASE("a result in a text is told from an equation's number") {
     const auto sections = sections_of(
@@ -42,56 +19,21 @@ TEST_CASE("a result in a text is told from an equation's number") {
     CHECK(results_in(sections.at("1.3")) == std::set<double>{61195, 1e7});
 }
 
-TEST_CASE(
-    "chapter 1: every claim holds, every figure has its data, for any number of threads the same renders") {
-    const ScratchFolder scratch{"rays"};
-    const Ended         one = run_rays(scratch.path, "--quality draft --size 64 --threads 1 --out one");
-    const Ended         all = run_rays(scratch.path, "--quality draft --size 64 --threads 7 --out seven");
-    CHECK(one.code == 0);
-    CHECK(all.code == 0);
-    const fs::path folder = scratch.path / "one" / "01_rays";
+TEST_CASE("chapter 1: claims and text agree, figures have their data, renders do not depend on threads") {
+    const ChapterRuns runs("01_rays", "--size 64");
+    // What is given, and times, which are charted.
+    runs.check_claims({0.035, 0.025, 0.0125, 2.44, 1e-5, 1e-6, 261'632, 16'256, 6e4, 1e5});
+    runs.check_renders(6);
 
-    const course::Rows claims = course::read_csv(folder / "claims.csv");
-    CHECK(claims.header ==
-          std::vector<std::string>{"claim", "expected", "measured", "error", "tolerance", "pass"});
-    CHECK(claims.rows.size() >= 20);
-    const auto       sections = sections_of(read_text(source_folder / "chapters" / "01_rays" / "README.md"));
-    std::set<double> known    = given;
-    for (const auto& claim : claims.rows) {
-        INFO(claim[0].text());
-        CHECK(claim[5].text() == "yes");
-        const double expected = claim[1].number();
-        known.merge(numbers_of(claim[0].text()));
-        known.insert(expected);
-        const std::string section = claim[0].text().substr(0, claim[0].text().find(' '));
-        REQUIRE(sections.contains(section));
-        CHECK((expected == 0 || numbers_of(sections.at(section)).contains(expected)));
-    }
-    for (const auto& [section, text] : sections) {
-        for (const double result : results_in(text)) {
-            INFO(section << " says " << result << ", which nothing claims");
-            CHECK(known.contains(result));
-        }
-    }
-
-    for (const auto& [name, rows] : {std::pair{std::string("triangles"), 4 * 8}, {"pixels", 4 * 4}}) {
-        const course::Rows chart = course::read_csv(folder / (name + ".csv"));
-        CHECK(chart.header == std::vector<std::string>{"method", "effort", "seconds", "error", "error_se",
-                                                       "triangles", "pixels", "seconds_min", "seconds_max"});
-        CHECK(int(chart.rows.size()) == rows);
+    for (const auto& [name, rows] : {std::pair{std::string("triangles"), 4U * 8}, {"pixels", 4U * 4}}) {
+        const course::Rows chart = runs.check_chart(name, speed_accuracy_columns, rows);
         for (const auto& row : chart.rows) {
             CHECK(row[2].number() > 0);
             CHECK(row[3].number() <= 0.02);  // the coarsest teapot's handle has two faces in one place
         }
     }
-    for (const std::string name : {"camera", "two_loops", "far_from_the_origin", "triangles", "pixels"}) {
-        CHECK(fs::exists(folder / (name + ".csv")));
-    }
-    CHECK(fs::exists(scratch.path / "one" / "index.html"));
-
-    const auto renders = renders_in(folder);
-    CHECK(renders.size() == 12);
-    CHECK(renders == renders_in(scratch.path / "seven" / "01_rays"));
+    runs.check_chart("far_from_the_origin", {"series"}, 2 * 8);
+    for (const std::string drawing : {"camera", "two_loops"}) runs.check_chart(drawing, {"shape"}, 10);
 }
 
 TEST_CASE(
@@ -116,7 +58,7 @@ TEST_CASE(
     for (const auto& [name, text] : scenes) names.push_back(name);
     for (const auto& name : names) {
         INFO(name);
-        const Ended ended = run_rays(scratch.path, "--quality draft --scene " + name);
+        const Ended ended = run_chapter("01_rays", scratch.path, "--quality draft --scene " + name);
         CHECK(ended.code == 2);
         CHECK(error_lines(ended) == 1);
         CHECK(ended.err.find(name) != std::string::npos);
@@ -128,7 +70,7 @@ TEST_CASE("chapter 1: a scene of which nothing is seen is rendered, and said to 
     const ScratchFolder scratch{"rays"};
     std::ofstream(scratch.path / "specks.obj") << "v 0 0 0\nv 1e-6 0 0\nv 0 1e-6 0\nf 1 2 3\n"
                                                   "v 1 1 1\nv 1.000001 1 1\nv 1 1.000001 1\nf 4 5 6\n";
-    const Ended ended = run_rays(scratch.path, "--quality draft --size 32 --scene specks.obj");
+    const Ended ended = run_chapter("01_rays", scratch.path, "--quality draft --size 32 --scene specks.obj");
     CHECK(ended.code == 0);
     CHECK(ended.err == "01_rays: scene: no ray hits anything, its pictures are blank\n");
     CHECK(fs::exists(scratch.path / "figures" / "01_rays" / "scene_depth.png"));
@@ -141,7 +83,7 @@ TEST_CASE("chapter 1: sizes, options and folders that can't be are one line on s
                                         "--out file", "--out /proc/figures", "--quality best", "--threads 0",
                                         "--samples 0", "--samples 3", "--format gif"}) {
         INFO(arguments);
-        const Ended ended = run_rays(scratch.path, arguments);
+        const Ended ended = run_chapter("01_rays", scratch.path, arguments);
         CHECK(ended.code == 2);
         CHECK(error_lines(ended) == 1);
     }
