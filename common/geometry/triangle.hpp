@@ -2,9 +2,11 @@
 /// @file triangle.hpp
 /// A ray meets a triangle, in such a way that no ray slips between two triangles that share an edge.
 
+#include <algorithm>
 #include <cmath>
 #include <concepts>
 #include <glm/gtc/type_ptr.hpp>
+#include <limits>
 #include <optional>
 
 #include "geometry/ray.hpp"
@@ -41,7 +43,8 @@ struct Hit {
 
 /// A ray made ready for many triangles: its direction's largest component becomes the third axis, and the
 /// triangles are seen along the ray, so that the question becomes a plane one: is the origin in a triangle?
-/// @pre no product of three coordinates overflows (10^12 in float); a ray that is not finite hits nothing
+/// @pre no product of three coordinates overflows (10^12 in float): a hit where one does may be lost. A ray or a
+///      triangle that is not finite has none
 template <std::floating_point T>
 class TriangleRay {
 public:
@@ -51,10 +54,11 @@ public:
         x_axis_            = (z_axis_ + 1) % 3;
         y_axis_            = (z_axis_ + 2) % 3;
         origin_            = {ray.origin[x_axis_], ray.origin[y_axis_], ray.origin[z_axis_]};
-        // A power of two changes no digit, and keeps the products of a very long direction from overflowing.
+        // A power of two changes no digit, and keeps the products of a very long direction from overflowing. That
+        // of the shortest directions would overflow itself.
         int exponent = 0;
         std::frexp(ray.direction[z_axis_], &exponent);
-        scale_ = std::ldexp(T{1}, -exponent);
+        scale_ = std::ldexp(T{1}, -std::max(exponent, std::numeric_limits<T>::min_exponent));
         direction_ =
             scale_ * Vector3<T>{ray.direction[x_axis_], ray.direction[y_axis_], ray.direction[z_axis_]};
     }
@@ -78,7 +82,7 @@ public:
         const bool front = u >= 0 && v >= 0 && w >= 0;
         const bool back  = u <= 0 && v <= 0 && w <= 0;
         const T    sum   = u + v + w;
-        if (!(front || back) || sum == 0) return std::nullopt;
+        if (!(front || back) || sum == 0 || !std::isfinite(sum)) return std::nullopt;
 
         // The hit's depth is between the vertices' depths: weights of one sign, no cancellation.
         const T t = (u * a.z + v * b.z + w * c.z) / (sum * direction_.z) * scale_;

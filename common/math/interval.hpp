@@ -12,8 +12,11 @@ struct Interval {
     T min = 0;
     T max = std::numeric_limits<T>::infinity();
 
-    /// False for NaN, so that a hit at "not a number" is a miss.
-    [[nodiscard]] constexpr bool contains(T t) const { return min <= t && t <= max; }
+    /// False for NaN and for infinity, so that a hit is at a number, whatever has overflowed.
+    [[nodiscard]] constexpr bool contains(T t) const {
+        constexpr T largest = std::numeric_limits<T>::max();
+        return min <= t && t <= max && -largest <= t && t <= largest;
+    }
     [[nodiscard]] constexpr bool empty() const { return !(min <= max); }
 };
 
