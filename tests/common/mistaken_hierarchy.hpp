@@ -5,8 +5,6 @@
 #include <cmath>
 #include <cstdint>
 #include <optional>
-#include <utility>
-#include <vector>
 
 #include "geometry/hierarchy_build.hpp"
 #include "geometry/nearest.hpp"
@@ -24,17 +22,15 @@ enum class Mistake {
 class MistakenHierarchy {
 public:
     MistakenHierarchy(const Mesh<float>& mesh, Mistake mistake) : mistake_(mistake) {
-        const auto              unordered = face_triangles(mesh);
-        HierarchyBuilder<float> builder(unordered);
-        for (const std::uint32_t i : builder.order())
-            triangles_.push_back({unordered[i].triangle, renamed(unordered[i].face)});
-        nodes_ = std::move(builder).nodes();
+        auto triangles = face_triangles(mesh);
+        for (auto& triangle : triangles) triangle.face = renamed(triangle.face);
+        tree_ = build_hierarchy<float>(triangles, Cut::binned);
     }
 
     [[nodiscard]] std::optional<MeshHit<float>> nearest(const Ray<float>& ray,
                                                         Interval<float>   range = in_front<float>) const {
         NearestSearch<float> search(ray, range);
-        walk(search, ray, {0, 0});
+        walk(search, ray, tree_.root);
         auto hit = search.result();
         if (hit) hit->face = renamed(hit->face);
         return hit;
@@ -43,15 +39,15 @@ public:
 
 private:
     void walk(NearestSearch<float>& search, const Ray<float>& ray, HierarchyNode<float>::Child here) const {
-        for (std::uint32_t i = 0; i < here.count; ++i) search.offer(triangles_[here.first + i]);
+        for (std::uint32_t i = 0; i < here.count; ++i) search.offer(tree_.triangles[here.first + i]);
         if (here.count > 0) return;
         for (std::size_t side = 0; side < 2; ++side) {
-            const Box<float>&     box    = nodes_[here.first].box[side];
+            const Box<float>&     box    = tree_.nodes[here.first].box[side];
             const Interval<float> range  = search.range();
             const Interval<float> inside = mistake_ == Mistake::thin_boxes ? thin_clip(ray, box, range)
                                                                            : search.boxes().clip(box, range);
             const bool            pruned = mistake_ == Mistake::strict_pruning && inside.min >= range.max;
-            if (!inside.empty() && !pruned) walk(search, ray, nodes_[here.first].child[side]);
+            if (!inside.empty() && !pruned) walk(search, ray, tree_.nodes[here.first].child[side]);
         }
     }
 
@@ -71,9 +67,8 @@ private:
         return mistake_ == Mistake::higher_face ? ~face : face;
     }
 
-    Mistake                           mistake_;
-    std::vector<HierarchyNode<float>> nodes_;
-    std::vector<FaceTriangle<float>>  triangles_;
+    Mistake              mistake_;
+    HierarchyTree<float> tree_;
 };
 
 }  // namespace sr
