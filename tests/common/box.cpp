@@ -2,7 +2,11 @@
 
 #include <doctest/doctest.h>
 
+#include <array>
 #include <cmath>
+#include <limits>
+
+#include "law.hpp"
 
 using namespace sr;
 
@@ -18,7 +22,37 @@ bool misses(Vec3 origin, Vec3 direction, const Box<float>& box = cube) {
     const Interval<float> inside = clip(origin, direction, box);
     return inside.min > inside.max;
 }
+
+Vec3 finite_vector() {
+    const float x = *test::finite<float>(), y = *test::finite<float>(), z = *test::finite<float>();
+    return {x, y, z};
+}
+
+Vec3 any_vector() {
+    const float x = *test::any_bits<float>(), y = *test::any_bits<float>(), z = *test::any_bits<float>();
+    return {x, y, z};
+}
+
+Box<float> finite_box() {
+    Box<float> box;
+    for (int corner = 0; corner < 2; ++corner) box.include(finite_vector());
+    return box;
+}
+
+bool equal(Interval<float> a, Interval<float> b) {
+    return a.min == b.min && a.max == b.max;
+}
 }  // namespace
+
+TEST_CASE("the interval of a ray in a box: entry and exit by hand") {
+    // Oracle G3: the slabs of [-1, 1]^3 are passed in [2, 4], [2, 6] and [2, 14/3]. The exit is lengthened by 16
+    // units in the last place on purpose, and 8 more are allowed.
+    const auto inside = clip({-3, -2, -2.5F}, {1, 0.5F, 0.75F});
+    CHECK(inside.min == 2);
+    constexpr float epsilon = std::numeric_limits<float>::epsilon();
+    CHECK(inside.max >= 4);
+    CHECK(inside.max <= 4 * (1 + (16 + 8) * epsilon));
+}
 
 TEST_CASE("the interval of a ray in a box") {
     for (const float sign : {-1.0F, 1.0F}) {
@@ -66,4 +100,60 @@ TEST_CASE("a box grows around points, and an empty one has no surface") {
     CHECK(box.max == Vec3{1, 4, 3});
     CHECK(box.half_area() == 2);
     CHECK(misses({0, 0, 0}, {1, 1, 1}, Box<float>{}));
+}
+
+TEST_CASE(
+    "laws of boxes: any bits give an interval without NaN, which lies in the range that was asked for") {
+    test::check_law("clip", [] {
+        const Box<float>      box{any_vector(), any_vector()};
+        const Vec3            o = any_vector(), d = any_vector();
+        const Interval<float> range{std::abs(*test::finite<float>()), std::abs(*test::finite<float>())};
+        const auto            inside = BoxRay<float>({o, d}).clip(box, range);
+        RC_ASSERT(inside.min >= range.min);
+        RC_ASSERT(inside.max <= range.max);
+    });
+}
+
+TEST_CASE("laws of boxes: the interval holds every t at which the ray is in the box") {
+    test::check_law("a point of the ray, and a box around it", [] {
+        const Vec3                o = finite_vector(), d = finite_vector();
+        const float               t = std::abs(*test::finite<float>());
+        const Vector3<double>     p = Vector3<double>(o) + double(t) * Vector3<double>(d);
+        Box<float>                box;
+        constexpr float           infinity = std::numeric_limits<float>::infinity();
+        const std::array<Vec3, 3> points{Vec3(p), finite_vector(), finite_vector()};
+        for (const auto& point : points) box.include(point);
+        for (int axis = 0; axis < 3; ++axis) {  // p itself was rounded
+            box.min[axis] = std::nextafter(box.min[axis], -infinity);
+            box.max[axis] = std::nextafter(box.max[axis], infinity);
+        }
+        const auto inside = clip(o, d, box);
+        RC_ASSERT(!inside.empty());
+        RC_ASSERT(inside.max >= t);
+        RC_ASSERT(inside.min <= t * (1 + 2 * std::numeric_limits<float>::epsilon()));
+    });
+}
+
+TEST_CASE("laws of boxes: the names of the axes and their directions don't matter, to the bit") {
+    test::check_law("permuted and mirrored", [] {
+        const Box<float> box = finite_box();
+        const Vec3       o = finite_vector(), d = finite_vector();
+        const auto       turned = [](Vec3 v) { return Vec3{v.y, v.z, v.x}; };
+        RC_ASSERT(equal(clip(turned(o), turned(d), {turned(box.min), turned(box.max)}), clip(o, d, box)));
+        RC_ASSERT(equal(clip(-o, -d, {-box.max, -box.min}), clip(o, d, box)));
+    });
+}
+
+TEST_CASE("laws of boxes: a larger box has no smaller interval and no smaller surface, to the bit") {
+    test::check_law("include", [] {
+        const Box<float> box    = finite_box();
+        Box<float>       larger = box;
+        larger.include(finite_vector());
+        RC_ASSERT(larger.half_area() >= box.half_area());
+        const Vec3 o = finite_vector(), d = box.centre() - o;
+        const auto inside = clip(o, d, box);
+        RC_PRE(!inside.empty());
+        RC_ASSERT(clip(o, d, larger).min <= inside.min);
+        RC_ASSERT(clip(o, d, larger).max >= inside.max);
+    });
 }

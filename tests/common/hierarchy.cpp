@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "law.hpp"
 #include "mistaken_hierarchy.hpp"
 #include "sampling/rng.hpp"
 #include "scene/cornell_box.hpp"
@@ -74,6 +75,11 @@ Mesh<T> terrible_mesh() {
     return mesh;
 }
 
+Vec3 any_vector() {
+    const float x = *test::any_bits<float>(), y = *test::any_bits<float>(), z = *test::any_bits<float>();
+    return {x, y, z};
+}
+
 struct Differences {
     int rays = 0, different = 0, hits = 0;
 };
@@ -110,17 +116,29 @@ Differences compare(const Mesh<T>& mesh, const Surfaces& hierarchy, int rays) {
 
 }  // namespace
 
-TEST_CASE("the hierarchy equals brute force to the bit, on a million rays") {
-    Differences sum;
-    for (const auto& [mesh, rays] : {std::pair{convert<float>(cornell_box().mesh), 400 * 400},
-                                     {convert<float>(teapot(2)), 800 * 800},
-                                     {terrible_mesh<float>(), 500 * 500}}) {
-        const auto found = compare(mesh, Hierarchy<float>(mesh), rays);
-        CHECK(found.different == 0);
-        CHECK(found.hits >= found.rays / 5);
-        sum.rays += found.rays;
+TEST_CASE("every hierarchy equals brute force to the bit, on half a million rays each") {
+    for (const Cut cut : {Cut::median, Cut::binned, Cut::swept}) {
+        CAPTURE(int(cut));
+        Differences sum;
+        for (const auto& [mesh, rays] : {std::pair{convert<float>(cornell_box().mesh), 300 * 300},
+                                         {convert<float>(teapot(2)), 520 * 520},
+                                         {terrible_mesh<float>(), 400 * 400}}) {
+            const auto found = compare(mesh, Hierarchy<float>(mesh, {.cut = cut, .asked_straight = 0}), rays);
+            CHECK(found.different == 0);
+            CHECK(found.hits >= found.rays / 5);
+            sum.rays += found.rays;
+        }
+        CHECK(sum.rays >= 500'000);
     }
-    CHECK(sum.rays >= 1'000'000);
+}
+
+TEST_CASE("triangles that are asked straight need no box, and answer the same") {
+    const auto             mesh = convert<float>(cornell_box().mesh);
+    const Hierarchy<float> straight(mesh, {.asked_straight = std::uint32_t(mesh.faces.size())});
+    CHECK(straight.tree().nodes.empty());
+    CHECK(compare(mesh, straight, 100 * 100).different == 0);
+    const auto fewer = std::uint32_t(mesh.faces.size() - 1);
+    CHECK(!Hierarchy<float>(mesh, {.asked_straight = fewer}).tree().nodes.empty());
 }
 
 TEST_CASE("these rays find a hierarchy that is wrong only at a tie or by a rounding") {
@@ -136,8 +154,10 @@ TEST_CASE("these rays find a hierarchy that is wrong only at a tie or by a round
 }
 
 TEST_CASE("the hierarchy equals brute force to the bit in double") {
-    for (const auto& mesh : {teapot(2), terrible_mesh<double>()})
-        CHECK(compare(mesh, Hierarchy<double>(mesh), 200 * 200).different == 0);
+    for (const auto& mesh : {teapot(2), terrible_mesh<double>()}) {
+        for (const Cut cut : {Cut::median, Cut::binned, Cut::swept})
+            CHECK(compare(mesh, Hierarchy<double>(mesh, {.cut = cut}), 150 * 150).different == 0);
+    }
 }
 
 TEST_CASE("at equal t the lower face wins, in whatever order the triangles are kept") {
@@ -165,10 +185,12 @@ TEST_CASE("meshes without a good cut: none, one, and a thousand triangles in one
     mesh.faces    = {{0, 1, 2}};
     REQUIRE(Hierarchy<float>(mesh).nearest(ray));
     mesh.faces.assign(1000, {0, 1, 2});
-    const auto hit = Hierarchy<float>(mesh).nearest(ray);
-    REQUIRE(hit);
-    CHECK(hit->face == 0);
-    CHECK(hit->t == 1);
+    for (const Cut cut : {Cut::median, Cut::binned, Cut::swept}) {
+        const auto hit = Hierarchy<float>(mesh, {.cut = cut}).nearest(ray);
+        REQUIRE(hit);
+        CHECK(hit->face == 0);
+        CHECK(hit->t == 1);
+    }
 }
 
 TEST_CASE("a staircase of boxes does not make the tree too deep to walk") {
@@ -179,10 +201,12 @@ TEST_CASE("a staircase of boxes does not make the tree too deep to walk") {
         mesh.vertices.insert(mesh.vertices.end(), {{0, 0, s}, {s, 0, s}, {0, s, s}});
         mesh.faces.push_back({3 * i, 3 * i + 1, 3 * i + 2});
     }
-    const Hierarchy<double> hierarchy(mesh);
-    for (const double x : {1e-140, 1e-3, 1e100}) {
-        const Ray<double> ray{{x, x, 0}, {0, 0, 1}};
-        CHECK(hierarchy.nearest(ray) == BruteForce<double>(mesh).nearest(ray));
+    for (const Cut cut : {Cut::median, Cut::binned, Cut::swept}) {
+        const Hierarchy<double> hierarchy(mesh, {.cut = cut});
+        for (const double x : {1e-140, 1e-3, 1e100}) {
+            const Ray<double> ray{{x, x, 0}, {0, 0, 1}};
+            CHECK(hierarchy.nearest(ray) == BruteForce<double>(mesh).nearest(ray));
+        }
     }
 }
 
@@ -202,4 +226,67 @@ TEST_CASE("a ray that is not a number hits nothing, and comes to an end") {
             CHECK(!BruteForce<float>(mesh).nearest(ray));
         }
     }
+}
+
+TEST_CASE("laws of hierarchies: any bits as triangles and rays are answered as by brute force") {
+    test::check_law("each way of cutting equals brute force", [] {
+        Mesh<float> mesh;
+        const auto  count = *rc::gen::inRange<std::uint32_t>(1, 20);
+        for (std::uint32_t i = 0; i < count; ++i) {
+            for (int k = 0; k < 3; ++k) mesh.vertices.push_back(any_vector());
+            mesh.faces.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+        }
+        const Ray<float> ray{any_vector(), any_vector()};
+        const auto       expected = BruteForce<float>(mesh).nearest(ray);
+        RC_ASSERT(!expected || std::isfinite(expected->t));
+        for (const Cut cut : {Cut::median, Cut::binned, Cut::swept}) {
+            const Hierarchy<float> hierarchy(mesh, {.cut = cut, .asked_straight = 0});
+            RC_ASSERT(hierarchy.nearest(ray) == expected);
+            RC_ASSERT(hierarchy.occluded(ray) == expected.has_value());
+        }
+    });
+}
+
+TEST_CASE("the expected work is the ratio of surfaces: a cube cut in two, by hand") {
+    // Two pairs of unit squares at the ends of a row of three cubes: the whole has 14 unit squares of surface.
+    Mesh<float> mesh;
+    for (const float x : {0.0F, 2.0F}) {
+        const auto first = std::uint32_t(mesh.vertices.size());
+        mesh.vertices.insert(mesh.vertices.end(), {{x, 0, 0}, {x + 1, 1, 0}, {x, 1, 1}, {x + 1, 0, 1}});
+        for (std::uint32_t i = 0; i < 4; ++i)
+            mesh.faces.push_back({first + i, first + (i + 1) % 4, first + (i + 2) % 4});
+    }
+    // The root is met, and both its leaves, unit cubes of four triangles each, with chance 6 / 14.
+    const auto work = expected_work(Hierarchy<float>(mesh, {.cut = Cut::median, .asked_straight = 0}).tree());
+    CHECK(work.nodes == 1);
+    CHECK(std::abs(work.triangles - 2 * 4 * 6.0 / 14) <= 1e-6);
+    CHECK(expected_work(Hierarchy<float>(mesh, {.asked_straight = 8}).tree()).triangles == 8);
+}
+
+TEST_CASE("a walk that is counted says how many nodes and triangles it took") {
+    const auto             mesh = convert<float>(teapot(4));
+    const Hierarchy<float> hierarchy(mesh);
+    const Ray<float>       ray{{0, -10, 1}, {0, 1, 0}}, away{{0, -10, 1}, {0, -1, 0}};
+    WalkCount              count;
+    CHECK(hierarchy.nearest(ray, in_front<float>, count) == hierarchy.nearest(ray));
+    CHECK(count.nodes >= 5);
+    CHECK(count.nodes < hierarchy.tree().nodes.size() / 4);
+    CHECK(count.triangles >= 1);
+    CHECK(count.triangles < mesh.faces.size() / 4);
+    WalkCount none;
+    CHECK(!hierarchy.nearest(away, in_front<float>, none));
+    CHECK(none.nodes == 0);
+    CHECK(none.triangles == 0);
+    WalkCount straight;
+    CHECK(!Hierarchy<float>(mesh, {.asked_straight = 1'000'000}).nearest(away, in_front<float>, straight));
+    CHECK(straight.triangles == mesh.faces.size());
+}
+
+TEST_CASE("by the cost that they minimise, sweeping is no worse than bins, and bins are better than halves") {
+    const auto mesh = convert<float>(teapot(8));
+    const auto cost = [&](Cut cut) {
+        return expected_work(Hierarchy<float>(mesh, {.cut = cut}).tree()).cost();
+    };
+    CHECK(cost(Cut::swept) < 1.02 * cost(Cut::binned));
+    CHECK(cost(Cut::binned) < 0.9 * cost(Cut::median));
 }
