@@ -76,7 +76,7 @@ template <std::floating_point T>
     std::vector<BoxReference<T>> references;
     references.reserve(triangles.size());
     for (std::uint32_t i = 0; i < triangles.size(); ++i)
-        references.push_back({bounds(triangles[i].triangle), i});
+        references.emplace_back(bounds(triangles[i].triangle), i);
     switch (cut) {
         case Cut::median:
             return HierarchyBuilder<T, MedianCut<T>>(std::move(references)).tree(triangles);

@@ -3,6 +3,7 @@
 /// What the builder of a hierarchy moves about in the triangles' place.
 
 #include <algorithm>
+#include <cmath>
 #include <concepts>
 #include <cstdint>
 #include <glm/gtc/type_ptr.hpp>
@@ -13,18 +14,21 @@
 
 namespace sr {
 
-/// A triangle's box, and which triangle it is.
+/// A triangle's box and its centre, and which triangle it is.
 template <std::floating_point T>
 struct BoxReference {
     Box<T>        box;
+    Vector3<T>    middle;
     std::uint32_t triangle;
 
-    /// Where its centre lies along an axis. Any number but NaN, which no order could hold: 0 instead.
-    [[nodiscard]] T centre(int axis) const {
-        const T middle = glm::value_ptr(box.min)[axis] / 2 + glm::value_ptr(box.max)[axis] / 2;
-        return middle == middle ? middle : T{0};
+    BoxReference(const Box<T>& around, std::uint32_t which)
+        : box(around), middle(around.min / T{2} + around.max / T{2}), triangle(which) {
+        // A box without a corner has no centre, and no order could hold NaN.
+        for (int axis = 0; axis < 3; ++axis)
+            if (std::isnan(middle[axis])) middle[axis] = 0;
     }
-    [[nodiscard]] Vector3<T> centre() const { return {centre(0), centre(1), centre(2)}; }
+
+    [[nodiscard]] T centre(int axis) const { return glm::value_ptr(middle)[axis]; }
 };
 
 /// Orders references along an axis; of equal centres, the lower triangle comes first.
@@ -44,7 +48,7 @@ struct BoxSet {
 
     void include(const BoxReference<T>& reference) {
         box.include(reference.box);
-        centres.include(reference.centre());
+        centres.include(reference.middle);
     }
     [[nodiscard]] int longest_axis() const {
         const Vector3<T> s = centres.size();
