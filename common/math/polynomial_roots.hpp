@@ -3,8 +3,8 @@
 /// Real roots of a polynomial in an interval. Between two neighbouring roots of its derivative a polynomial rises or
 /// falls, and has one root or none, which a bracket holds; the derivative's roots are found in the same way.
 ///
-/// For a quartic there is a formula, too, Ferrari's. It costs as much, and loses most of its digits, or both roots,
-/// where two of them are near each other: where a ray grazes a torus.
+/// There is a formula for the quartic, Ferrari's. Of rays that are level with a torus it gets one in eight wrong, in
+/// double as in float: their quartics are even about a point, and there it divides by what should be 0.
 /// @see Yuksel, High-Performance Polynomial Root Finding for Graphics, HPG 2022
 
 #include <array>
