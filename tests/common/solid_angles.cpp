@@ -95,7 +95,7 @@ TEST_CASE_TEMPLATE("A3, A4 a rectangle, which is a box without thickness", T, fl
         check_solid_angle<T>({0, 0, 1}, {{0, 0, -1}}, expected, sees(flat));
     }
     const Box<T> aside{{1, T(0.5), 0}, {3, 2, 0}};
-    check_solid_angle<T>({0, 0, 1}, {{2, 1, -1}}, 0.21207982090554895, sees(aside));
+    check_solid_angle<T>({0, 0, 1}, {{2, 1, -1}, 0.7}, 0.21207982090554895, sees(aside));
 }
 
 TEST_CASE_TEMPLATE("A5, A6 a triangle", T, float, double) {
