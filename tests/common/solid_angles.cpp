@@ -73,7 +73,7 @@ TEST_CASE_TEMPLATE("A1 a sphere seen from outside", T, float, double) {
 }
 
 TEST_CASE_TEMPLATE("A2 a disk on its axis", T, float, double) {
-    const Plane<T> plane{{0, 0, 1}, {0, 0, 0}};
+    const Plane<T> plane{.point = {0, 0, 0}, .normal = {0, 0, 1}};
     for (const auto& [radius, h, expected] : {std::tuple{1.0, 1.0, 1.8403023690212202},
                                               {1.0, 2.0, 0.66333352234700536},
                                               {3.0, 1.0, 4.2962676540203662}}) {
