@@ -23,7 +23,7 @@ struct Roots {
     /// The least finite root in the range.
     [[nodiscard]] std::optional<T> first_in(Interval<T> range) const {
         for (const T root : {first, second}) {
-            if (range.contains(root) && std::isfinite(root)) return root;
+            if (range.contains(root)) return root;
         }
         return std::nullopt;
     }

@@ -34,6 +34,7 @@ TEST_CASE("a ray that runs along a plane, or away from it, misses") {
     CHECK(!intersect(floor, {{0, 0, 2}, {1, 0, 0}}));
     CHECK(!intersect(floor, {{0, 0, 1}, {1, 0, 0}}));  // in it: 0 / 0
     CHECK(!intersect(floor, {{0, 0, 2}, {0, 0, 1}}));
+    CHECK(!intersect(floor, {{0, 0, 0}, {1, 0, 1e-45F}}));  // t is beyond the type
     CHECK(intersect(floor, {{0, 0, 2}, {0, 0, -4}}) == 0.25F);
     CHECK(intersect(floor, {{0, 0, 0}, {0, 0, 4}}) == 0.25F);  // from behind as well
     CHECK(!intersect(floor, {{0, 0, 2}, {0, 0, -4}}, {0.5F, 1}));
