@@ -2,10 +2,9 @@
 /// Nanoseconds for one test of one ray against one thing: every intersector, in float and double, one thread.
 ///
 /// Rays start on all sides at a distance of 4 and are aimed into a ball of radius 1.5; things lie in one of radius
-/// 1, implicit surfaces, whose own sizes are kept, in one of
-/// about 3. So some hit and some miss, as `hit_percent`
-/// says, and no branch is predicted for free. Every ray asks every thing: what is prepared for a ray or for a
-/// triangle beforehand is not timed for each test.
+/// 1, implicit surfaces in one of about 3. So some hit and some miss, as `hit_percent` says, and no branch is
+/// predicted for free. Every ray asks every thing: what is prepared for a ray or for a triangle beforehand is not
+/// timed for each test.
 
 #include <functional>
 #include <optional>
