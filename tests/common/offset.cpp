@@ -14,6 +14,7 @@
 
 #include "law.hpp"
 #include "math/frame.hpp"
+#include "sampling/ball.hpp"
 #include "sampling/rng.hpp"
 #include "vector_of.hpp"
 
@@ -24,14 +25,6 @@ namespace {
 
 using Exact = Vector3<double>;
 
-Exact in_unit_ball(Rng& rng) {
-    for (;;) {
-        const double x = rng.uniform<double>(), y = rng.uniform<double>(), z = rng.uniform<double>();
-        const Exact  p = 2.0 * Exact{x, y, z} - 1.0;
-        if (dot(p, p) <= 1 && dot(p, p) > 1e-4) return p;
-    }
-}
-
 /// A surface of some kind within four scales of the origin, and a point of it to aim at.
 template <class Shape>
 struct Target {
@@ -41,20 +34,22 @@ struct Target {
 
 template <std::floating_point T>
 Target<Sphere<T>> some_sphere(double scale, Rng& rng) {
-    const Sphere<T> sphere{Vector3<T>(3 * scale * in_unit_ball(rng)), T(scale * (0.1 + rng.uniform()))};
-    return {sphere, Exact(sphere.centre) + double(sphere.radius) * in_unit_ball(rng)};
+    const Sphere<T> sphere{Vector3<T>(3 * scale * in_unit_ball<double>(rng)),
+                           T(scale * (0.1 + rng.uniform()))};
+    return {sphere, Exact(sphere.centre) + double(sphere.radius) * in_unit_ball<double>(rng)};
 }
 template <std::floating_point T>
 Target<Plane<T>> some_plane(double scale, Rng& rng) {
-    const Plane<T> plane{Vector3<T>(3 * scale * in_unit_ball(rng)), Vector3<T>(in_unit_ball(rng))};
-    return {plane, Exact(plane.point) + scale * cross(Exact(plane.normal), in_unit_ball(rng))};
+    const Plane<T> plane{Vector3<T>(3 * scale * in_unit_ball<double>(rng)),
+                         Vector3<T>(in_unit_ball<double>(rng))};
+    return {plane, Exact(plane.point) + scale * cross(Exact(plane.normal), in_unit_ball<double>(rng))};
 }
 /// Every other triangle is a needle a thousand times as long as wide.
 template <std::floating_point T>
 Target<Triangle<T>> some_triangle(double scale, Rng& rng) {
-    const Exact  a = 3 * scale * in_unit_ball(rng), c = a + scale * in_unit_ball(rng);
+    const Exact  a = 3 * scale * in_unit_ball<double>(rng), c = a + scale * in_unit_ball<double>(rng);
     const double width = rng.uniform() < 0.5F ? scale : 1e-3 * scale;
-    const Exact  b     = a + width * in_unit_ball(rng);
+    const Exact  b     = a + width * in_unit_ball<double>(rng);
     const double u = rng.uniform<double>(), v = rng.uniform<double>() * (1 - u);
     return {{Vector3<T>(a), Vector3<T>(b), Vector3<T>(c)}, (1 - u - v) * a + u * b + v * c};
 }
@@ -103,7 +98,7 @@ bool meets_wall(const Launch<T>& launch, const SurfacePoint<T>& p, const Vector3
 template <std::floating_point T>
 Vector3<T> some_direction(const Vector3<T>& normal, Rng& rng) {
     const Exact n(normal);
-    Exact       d = normalize(in_unit_ball(rng));
+    Exact       d = normalize(in_unit_ball<double>(rng));
     if (rng.uniform() < 0.5F) {
         const double side = std::copysign(std::pow(10.0, -6 * rng.uniform<double>()), dot(d, n));
         d                 = normalize(d - dot(d, n) * n) + side * n;
@@ -124,7 +119,7 @@ Mistakes mistakes(const Make& make, const Leave& leaving, int rays_per_scale) {
         for (int i = 0; i < rays_per_scale; ++i) {
             Rng              rng{8, decade, i, 0};
             const auto       target = make(scale, rng);
-            const Vector3<T> eye(10 * scale * normalize(in_unit_ball(rng)));
+            const Vector3<T> eye(10 * scale * normalize(in_unit_ball<double>(rng)));
             const auto       p = point_hit(target.shape, Ray<T>{eye, Vector3<T>(target.aim) - eye});
             if (!p) continue;  // aimed past the edge by a rounding
             const Vector3<T> direction = some_direction(p->normal, rng);
@@ -196,7 +191,7 @@ TEST_CASE_TEMPLATE("between two surfaces, neither is met, and what stands close 
         for (int i = 0; i < 20'000; ++i) {
             Rng        rng{9, decade, i, 0};
             const auto one = some_triangle<T>(scale, rng), two = some_triangle<T>(scale, rng);
-            const auto eye = Vector3<T>(10 * scale * normalize(in_unit_ball(rng)));
+            const auto eye = Vector3<T>(10 * scale * normalize(in_unit_ball<double>(rng)));
             const auto a   = point_hit(one.shape, Ray<T>{eye, Vector3<T>(one.aim) - eye});
             const auto b   = point_hit(two.shape, Ray<T>{eye, Vector3<T>(two.aim) - eye});
             if (!a || !b) continue;
@@ -224,7 +219,7 @@ TEST_CASE_TEMPLATE("a surface point is on its surface, within its error", T, flo
         Rng        rng{10, i, 0, 0};
         const auto sphere = some_sphere<T>(1, rng);
         const auto plane  = some_plane<T>(1, rng);
-        const auto eye    = Vector3<T>(10.0 * normalize(in_unit_ball(rng)));
+        const auto eye    = Vector3<T>(10.0 * normalize(in_unit_ball<double>(rng)));
         if (const auto p = point_hit(sphere.shape, Ray<T>{eye, Vector3<T>(sphere.aim) - eye})) {
             const double away = length(Exact(p->position) - Exact(sphere.shape.centre));
             REQUIRE(std::abs(away - double(sphere.shape.radius)) <= double(p->error));
