@@ -1,6 +1,7 @@
 /// @file main.cpp
 /// Chapter 2, surfaces: what a ray meets when a surface is an equation.
 
+#include "any_surface.hpp"
 #include "course/chapter.hpp"
 
 namespace sr {
@@ -16,6 +17,10 @@ void surface_is_an_equation(course::Chapter& chapter) {
 
 int main(int argc, char** argv) {
     using namespace sr;
-    return course::run(argc, argv, "02_surfaces", "Surfaces",
-                       [](course::Chapter& chapter) { surface_is_an_equation(chapter); });
+    return course::run(argc, argv, "02_surfaces", "Surfaces", [](course::Chapter& chapter) {
+        surface_is_an_equation(chapter);
+        any_surface(chapter);
+        any_surface_speed(chapter);
+        normals(chapter);
+    });
 }

@@ -32,7 +32,7 @@ struct Metaballs {
         Number outside = x * T{0} + threshold;  // a constant, of whatever type
         for (const auto& [c, r] : balls) {
             const Number far = (square(x - c.x) + square(y - c.y) + square(z - c.z)) / (r * r);
-            outside          = outside - T{1} / square(far + T{1});
+            outside          = outside - square(T{1} / (far + T{1}));
         }
         return outside;
     }

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "geometry/implicit_surface.hpp"
+#include "math/bracketed_root.hpp"
 
 namespace sr {
 
@@ -24,19 +25,23 @@ template <std::floating_point T, ImplicitSurface<T> Surface>
     if (!part) return std::nullopt;
     constexpr int max_steps = 4096;
     const T       least     = std::max(tolerance, part->max * std::numeric_limits<T>::epsilon());
+    const auto    f         = [&](T t) { return on_ray(surface, ray, t); };
     T             t         = part->min;
-    T             reach     = part->max - part->min;
+    T             value = f(t), reach = part->max - part->min;
     for (int i = 0; i < max_steps; ++i) {
         const Interval<T> ahead{t, std::min(t + reach, part->max)};
         const T           slope = magnitude(bounds_on_ray(surface, ray, ahead).derivative[0]);
-        const T           safe  = std::abs(on_ray(surface, ray, t)) / slope;
-        if (t + safe > ahead.max) {  // nothing on the piece
-            if (ahead.max >= part->max) return std::nullopt;
-            t = ahead.max;
-            reach *= 2;
-        } else if (safe > least) {
-            t += safe;
-            reach = 2 * safe;
+        const T           safe  = std::abs(value) / slope;
+        if (safe > least || t + safe > ahead.max) {
+            const bool empty = t + safe > ahead.max;  // nothing on the whole piece
+            const T before = t;
+            t              = empty ? ahead.max : t + safe;
+            reach          = 2 * (empty ? reach : safe);
+            // Near the surface the step may have relied on nothing but the rounding error of f.
+            const T here = f(t);
+            if (opposite_signs(value, here)) return bracketed_root(f, Interval<T>{before, t});
+            if (t >= part->max) return std::nullopt;
+            value = here;
         } else if (reach > 4 * least) {
             reach /= 4;  // it may be the bound that is too large, not the surface that is near
         } else if (safe <= least) {

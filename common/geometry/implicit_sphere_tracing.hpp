@@ -11,11 +11,11 @@
 
 namespace sr {
 
-/// A number that |grad f| nowhere in the box exceeds. Intervals of the gradient bound it in each of 8^3 cells, more
+/// A number that |grad f| nowhere in the box exceeds. Intervals of the gradient bound it in each of 16^3 cells, more
 /// tightly than in the box as a whole; once for a surface, not once for a ray.
 template <std::floating_point T, ImplicitSurface<T> Surface>
 [[nodiscard]] T lipschitz_bound(const Surface& surface, const Box<T>& box) {
-    constexpr int cells = 8;
+    constexpr int cells = 16;
     using Number        = Dual<Interval<T>, 3>;
     const auto cell     = [&](int axis, int i) {
         const T side = box.max[axis] - box.min[axis];
