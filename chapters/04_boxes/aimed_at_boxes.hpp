@@ -1,11 +1,14 @@
 #pragma once
 /// @file aimed_at_boxes.hpp
-/// Rays aimed at a place of a small box, and how many that hit it are lost to rounding.
+/// Rays aimed at a place of a small box, or at a mesh's vertices, and how many hits are lost to rounding.
 
 #include <array>
 #include <atomic>
-#include <cstdint>
+#include <utility>
+#include <vector>
 
+#include "geometry/mesh.hpp"
+#include "geometry/triangle.hpp"
 #include "sampling/rng.hpp"
 #include "textbook_slabs.hpp"
 #include "transport/tiles.hpp"
@@ -36,7 +39,7 @@ struct AimedRay {
         target[axis] =
             float(result.box.min[axis] + share * (double(result.box.max[axis]) - result.box.min[axis]));
     }
-    result.ray.direction = target - result.ray.origin;
+    result.ray.direction = normalize(target - result.ray.origin);
     return result;
 }
 
@@ -48,23 +51,71 @@ struct AimedRay {
     return !padded_clip<Exact>(ray, box, 1).empty();
 }
 
-/// The share of true hits that a test in float misses [%].
-/// @param hits  whether the test says so: bool(const Ray<float>&, const Box<float>&)
-template <class Test>
-[[nodiscard]] double percent_lost(Aim aim, double size, int rays, std::uint64_t seed, int threads,
-                                  Test hits) {
-    constexpr int    blocks = 64;
-    std::atomic<int> truly = 0, lost = 0;
-    for_each_pixel(blocks, blocks, {.threads = threads}, [&](int x, int y) {
-        Rng rng{seed, x, y, 0};
-        for (int i = 0; i < rays / (blocks * blocks); ++i) {
+/// True hits that tests in float miss, as shares of all true hits [%].
+struct LostHits {
+    std::vector<double> padded;  ///< with exits lengthened by each of some paddings
+    double              core;    ///< by BoxRay
+};
+
+/// Counts who misses what; any number of threads may ask.
+class LossCounter {
+public:
+    /// @param paddings  factors of the exits; between two floats, too, so that a curve can be drawn
+    explicit LossCounter(std::vector<double> paddings)
+        : paddings_(std::move(paddings)), lost_(paddings_.size()) {}
+
+    /// @pre the ray does hit the box
+    void count(const Ray<float>& ray, const Box<float>& box) {
+        ++truly_;
+        if (BoxRay<float>(ray).clip(box, in_front<float>).empty()) ++by_core_;
+        const Interval<float> plain = padded_clip(ray, box, 1.0F);
+        if (!plain.empty()) return;
+        for (std::size_t i = 0; i < paddings_.size(); ++i)
+            if (!(double(plain.min) <= double(plain.max) * paddings_[i])) ++lost_[i];
+    }
+    [[nodiscard]] LostHits percent() const {
+        LostHits result{{}, 100.0 * by_core_ / truly_};
+        for (const auto& lost : lost_) result.padded.push_back(100.0 * lost / truly_);
+        return result;
+    }
+
+private:
+    std::vector<double>           paddings_;
+    std::atomic<int>              truly_ = 0, by_core_ = 0;
+    std::vector<std::atomic<int>> lost_;
+};
+
+/// Rays at a place of boxes whose sides are at most `size`.
+[[nodiscard]] inline LostHits lost_hits(Aim aim, double size, int rays, const std::vector<double>& paddings,
+                                        int threads) {
+    constexpr int side = 64;
+    LossCounter   counter(paddings);
+    for_each_pixel(side, side, {.threads = threads}, [&](int x, int y) {
+        Rng rng{1, x, y, 0};
+        for (int i = 0; i < rays / (side * side); ++i) {
             const AimedRay aimed = aimed_at_box(aim, size, rng);
-            if (!truly_hits(aimed)) continue;
-            ++truly;
-            if (!hits(aimed.ray, aimed.box)) ++lost;
+            if (truly_hits(aimed)) counter.count(aimed.ray, aimed.box);
         }
     });
-    return 100.0 * lost / truly;
+    return counter.percent();
+}
+
+/// Rays from around a mesh to a vertex of a random face by which they are hit, and the box of that face.
+[[nodiscard]] inline LostHits lost_vertices(const Mesh<float>& mesh, const std::vector<double>& paddings,
+                                            int threads) {
+    constexpr int side = 512;
+    LossCounter   counter(paddings);
+    for_each_pixel(side, side, {.threads = threads}, [&](int x, int y) {
+        Rng              rng{1, x, y, 0};
+        const auto       face = std::size_t(rng.uniform<double>() * double(mesh.faces.size()));
+        const float      a = rng.uniform(), b = rng.uniform(), c = rng.uniform();
+        const Vec3       o        = 20.0F * Vec3{a, b, c} - 10.0F;
+        const auto       triangle = mesh.triangle(face);
+        const Ray<float> ray{o, normalize(triangle.a - o)};
+        if (TriangleRay<float>(ray).intersect(triangle, in_front<float>))
+            counter.count(ray, bounds(triangle));
+    });
+    return counter.percent();
 }
 
 }  // namespace sr

@@ -89,6 +89,7 @@ private:
         std::size_t near, far;
     };
 
+    /// One slab, equation (4.2), and what it leaves of the last entry and the first exit so far, (4.3).
     [[gnu::always_inline]] static Interval<T> clip(const Slab& slab, const T* corners, Interval<T> range) {
         const T near = (corners[slab.near] - slab.origin) * slab.inverse;
         const T far  = (corners[slab.far] - slab.origin) * slab.padded;

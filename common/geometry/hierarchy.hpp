@@ -23,9 +23,9 @@ namespace sr {
 struct HierarchyOptions {
     Cut cut = Cut::binned;
 
-    /// So many triangles are asked one after the other: boxes would cost a ray more than they save. Figure 4.8
+    /// So few triangles are asked one after the other: boxes would cost a ray more than they save. Figure 4.6
     /// is where this number comes from.
-    std::uint32_t asked_straight = 8;
+    std::uint32_t asked_straight = 3;
 };
 
 template <std::floating_point T>

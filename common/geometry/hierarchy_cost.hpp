@@ -44,8 +44,7 @@ template <std::floating_point T>
     return work;
 }
 
-/// The cost of a cut, times the surface of the set that is cut: a node, and each half's triangles times the
-/// chance to enter it.
+/// The cost of a cut, half of (4.10): a node, and each half's triangles times the chance to enter it.
 /// @param near_half  its number of triangles times half its box's surface; so `far_half`
 template <std::floating_point T>
 [[nodiscard]] T cut_cost(const BoxSet<T>& set, T near_half, T far_half) {

@@ -1,0 +1,89 @@
+#pragma once
+/// @file ladder_chart.hpp
+/// The charts of the ladder: figures 4.7 to 4.9.
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "course/chapter.hpp"
+#include "course/number.hpp"
+#include "ladder.hpp"
+
+namespace sr {
+
+/// Meshes of 2 to a million triangles: pieces of the coarsest teapot, then finer and finer ones.
+[[nodiscard]] inline std::vector<Mesh<float>> ladder_meshes(bool draft) {
+    std::vector<Mesh<float>> meshes;
+    const auto               coarsest = convert<float>(teapot(1));
+    for (const std::size_t count : {2, 3, 4, 6, 8, 12, 20, 32}) meshes.push_back(thinned(coarsest, count));
+    for (const int level : {1, 2, 4, 8, 16, 32, 64, 125}) {
+        if (level <= (draft ? 16 : 125)) meshes.push_back(convert<float>(teapot(level)));
+    }
+    return meshes;
+}
+
+/// As in a speed/accuracy chart, with y derived from a column of its own.
+[[nodiscard]] inline course::Axes ladder_axes(const std::string& y, const std::string& column) {
+    course::Axes axes{.x = "triangles", .y = y, .log = course::axis::xy};
+    axes.columns   = course::speed_accuracy({"triangles", "rays_per_second", "build_seconds", "rays_to_pay"});
+    axes.columns.x = "triangles";
+    axes.columns.y = column;
+    axes.columns.error = "";
+    return axes;
+}
+
+/// The rays after which a method has caught up with another one that needs no building, or less of it.
+[[nodiscard]] inline double rays_to_pay(const Climb& method, const Climb& rival) {
+    return (method.build_seconds - rival.build_seconds) / (rival.seconds - method.seconds);
+}
+
+/// Runs all rungs on all meshes: how fast they are, what they take to build, when that has paid.
+inline void climb_the_ladder(course::Chapter& chapter) {
+    const bool       draft = chapter.options().quality == course::Quality::draft;
+    auto             speed = chapter.chart("hierarchy", "Random rays at a teapot, one thread",
+                                           ladder_axes("rays per second", "rays_per_second"));
+    auto             build = chapter.chart("build", "Building a hierarchy, one thread",
+                                           ladder_axes("time to build [s]", "build_seconds"));
+    course::Rows     table{{"triangles", "method", "ns for a ray", "to build [ms]", "has paid after [rays]"}};
+    const auto       meshes = ladder_meshes(draft);
+    course::Progress progress("climbing the ladder", int(meshes.size()));
+    double           differing = 0;
+    for (const auto& mesh : meshes) {
+        const Ladder ladder(mesh, chapter.options());
+        const auto   climbs = ladder.climb();
+        for (const auto& climb : climbs) {
+            const double                    n   = double(ladder.triangles());
+            const bool                      all = &climb == &climbs.front();
+            const double                    pay = all ? 0 : rays_to_pay(climb, climbs.front());
+            const std::vector<course::Cell> row{climb.method,
+                                                n,
+                                                climb.seconds,
+                                                climb.error,
+                                                climb.error_se,
+                                                n,
+                                                1 / climb.seconds,
+                                                climb.build_seconds,
+                                                std::isfinite(pay) ? pay : 0};
+            speed.row(row);
+            if (!all && n > 3 && climb.method != "the core's choice") build.row(row);
+            differing += climb.error;
+            table.add({ladder.triangles(), climb.method, climb.seconds * 1e9, climb.build_seconds * 1e3,
+                       all       ? course::Cell("-")
+                       : pay > 0 ? course::Cell(fmt::format("{:.0f}", std::ceil(pay)))
+                                 : course::Cell("never")});
+        }
+        progress.tick();
+    }
+    chapter.say(table);
+    speed.caption(
+        "Lines that come from everywhere and meet the box around the mesh. Below 52 triangles, pieces of the "
+        "coarsest teapot.");
+    build.caption("The cost model sorts into bins or along each axis; halves need neither.");
+    chapter.claim("4.7 rays that a hierarchy answers unlike all triangles do, on any rung",
+                  {.measured = differing});
+}
+
+}  // namespace sr
