@@ -116,19 +116,19 @@ Differences compare(const Mesh<T>& mesh, const Surfaces& hierarchy, int rays) {
 
 }  // namespace
 
-TEST_CASE("every hierarchy equals brute force to the bit, on half a million rays each") {
+TEST_CASE("every hierarchy equals brute force to the bit, on a million rays in all") {
     for (const Cut cut : {Cut::median, Cut::binned, Cut::swept}) {
         CAPTURE(int(cut));
         Differences sum;
         for (const auto& [mesh, rays] : {std::pair{convert<float>(cornell_box().mesh), 300 * 300},
-                                         {convert<float>(teapot(2)), 520 * 520},
-                                         {terrible_mesh<float>(), 400 * 400}}) {
+                                         {convert<float>(teapot(2)), 400 * 400},
+                                         {terrible_mesh<float>(), 300 * 300}}) {
             const auto found = compare(mesh, Hierarchy<float>(mesh, {.cut = cut, .asked_straight = 0}), rays);
             CHECK(found.different == 0);
             CHECK(found.hits >= found.rays / 5);
             sum.rays += found.rays;
         }
-        CHECK(sum.rays >= 500'000);
+        CHECK(sum.rays >= 300'000);
     }
 }
 
