@@ -40,7 +40,7 @@ template <std::floating_point T, ImplicitSurface<T> Surface>
     if constexpr (AlgebraicSurface<Surface, T>) {
         return solve(surface, ray, in_front<T>);
     } else {
-        return march(surface, ray, in_front<T>, T(0.05));
+        return march(surface, ray, in_front<T>, T(0.05) / length(ray.direction));
     }
 }
 
@@ -79,11 +79,11 @@ void portray(course::Chapter& chapter, const std::string& name, const std::strin
     chapter.render(name, title, "A light at the eye, equation (1.4).", film);
 }
 
-/// The gallery of figure 2.5.
+/// The gallery.
 inline void portray_all(course::Chapter& chapter) {
     portray(chapter, "ellipsoid", "An ellipsoid", Ellipsoid<float>{{1, 0.7F, 1.2F}}, 1.35,
             {{0.80F, 0.25F, 0.10F}, {0.5F, 0.5F, 0.5F}});
-    portray(chapter, "hyperboloid", "A hyperboloid", Hyperboloid<float>{{0.6F, 0.6F, 0.7F}, 1.3F}, 1.75,
+    portray(chapter, "hyperboloid", "A hyperboloid", Hyperboloid<float>{{0.6F, 0.6F, 0.7F}, 1.3F}, 1.85,
             {{0.12F, 0.42F, 0.70F}, {0.85F, 0.65F, 0.15F}});
     portray(chapter, "torus", "A torus", shown_torus<float>, 2.6,
             {{0.85F, 0.55F, 0.08F}, {0.5F, 0.5F, 0.5F}});

@@ -138,10 +138,10 @@ template <class Surface>
                                return bisect_intervals(surface, ray, in_front<float>, width);
                            }});
     if constexpr (AlgebraicSurface<Surface, float>) {
-        methods.push_back({"quartic, roots isolated", 0,
+        methods.push_back({"isolated roots", 0,
                            [=](const Ray<float>& ray) { return solve(surface, ray, in_front<float>); }});
         methods.push_back(
-            {"quartic, Ferrari", 0, [=](const Ray<float>& ray) { return solve_by_ferrari(surface, ray); }});
+            {"Ferrari", 0, [=](const Ray<float>& ray) { return solve_by_ferrari(surface, ray); }});
     }
     return methods;
 }

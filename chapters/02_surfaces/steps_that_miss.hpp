@@ -16,8 +16,8 @@
 
 namespace sr {
 
-/// The share [%] of rays that do meet a surface, but which a method misses: of so many that are spread evenly over two
-/// numbers from 0 to 1, where they pass and at which phase their steps begin.
+/// The share [%] of rays that do meet a surface, but which a method misses: of so many that are spread evenly over
+/// two numbers from 0 to 1, where they pass and at which phase their steps begin.
 /// @param thousands  of rays
 /// @param misses     (where, phase) -> bool
 template <class Misses>
@@ -33,7 +33,7 @@ template <class Misses>
     return 100.0 * std::accumulate(missed.begin(), missed.end(), 0) / rays;
 }
 
-/// Whether steps of this length miss the unit sphere on a chord; with evenly spread points of a disk chords are uniform.
+/// Whether steps of this length miss the unit sphere on a chord; evenly spread points of a disk have uniform chords.
 [[nodiscard]] inline bool misses_sphere(double where, double phase, double step) {
     const LooseBounds<Ellipsoid<double>, double> sphere{{{1, 1, 1}}, 4};
     return !march(sphere, {{-2.5, std::sqrt(where), 0}, {1, 0, 0}}, {phase * step, 5}, step);

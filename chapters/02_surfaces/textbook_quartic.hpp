@@ -1,6 +1,6 @@
 #pragma once
 /// @file textbook_quartic.hpp
-/// Ferrari's formula for the roots of a quartic, as books give it: right, and of little use near double roots.
+/// Ferrari's formula for the roots of a quartic, as books give it: right, and of little use where the quartic is even about a point.
 
 #include <algorithm>
 #include <cmath>

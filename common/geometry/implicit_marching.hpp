@@ -9,12 +9,12 @@
 
 namespace sr {
 
-/// A root of f(o + t d) in `range` by steps of fixed length: where f changes its sign from one step to the next, a
-/// root is between them. It is the first if no two roots lie between neighbouring steps: what is thinner than a step
-/// may be missed, equation (2.7), and what only touches the ray always is.
+/// A root of f(o + t d) in `range` by steps of fixed length: where f changes its sign from one step to the next,
+/// a root is between them. It is the first if no two roots lie between neighbouring steps: what is thinner than a
+/// step may be missed, equation (2.7), and what only touches the ray always is.
 ///
-/// A value counts as inside if it is negative and as outside if not, so that a step which ends on the surface is one
-/// of the two; with f f < 0 such a root is lost, since neither interval beside it changes the sign.
+/// A value counts as inside if it is negative and as outside if not, so that a step which ends on the surface is
+/// one of the two; with f f < 0 such a root is lost, since neither interval beside it changes the sign.
 /// @param step  in units of t; no more than 65536 steps are made
 /// @pre   range.min >= 0; large enough, where the ray starts on the surface, that it has left it by more than
 ///        rounding
@@ -30,7 +30,8 @@ template <std::floating_point T, ImplicitSurface<T> Surface>
     const auto f    = [&](T t) { return on_ray(surface, ray, t); };
     T          from = part->min, at_from = f(from);
     for (int i = 1; i <= steps; ++i) {
-        const T to    = i == steps ? part->max : part->min + T(i) * length;  // not to += length: S52
+        // Not the last point plus a step: where t is large, a float plus a small step is the same float.
+        const T to    = i == steps ? part->max : part->min + T(i) * length;
         const T at_to = f(to);
         if ((at_from < 0) != (at_to < 0)) {
             if (const auto root = bracketed_root(f, Interval<T>{from, to})) return root;

@@ -12,8 +12,8 @@
 
 namespace sr {
 
-/// Balls that flow into each other where they are near: each spreads a field (1 + |p - c|^2 / r^2)^-2, and the surface
-/// is where their sum is `threshold`.
+/// Balls that flow into each other where they are near: each spreads a field (1 + |p - c|^2 / r^2)^-2, and the
+/// surface is where their sum is `threshold`.
 /// @pre radii are positive, 0 < threshold < number of balls
 /// @see Blinn, A Generalization of Algebraic Surface Drawing, ACM TOG 1(3), 1982, who has exponentials for fields;
 ///      Sherstyuk, Kernel functions in convolution surfaces, The Visual Computer 15 (1999), for this one

@@ -12,8 +12,8 @@
 
 namespace sr {
 
-/// The first root of f(o + t d) in `range`, as sphere tracing finds it, with a bound of |df/dt| for the piece of the
-/// ray ahead instead of one for the whole surface: intervals give it anew at each step. Steps are fewer, dearer
+/// The first root of f(o + t d) in `range`, as sphere tracing finds it, with a bound of |df/dt| for the piece of
+/// the ray ahead instead of one for the whole surface: intervals give it anew at each step. Steps are fewer, dearer
 /// each, and no constant need be known.
 /// @param tolerance  in units of t, as of sphere tracing
 /// @pre   range.min >= 0; the ray starts farther from the surface than the tolerance
@@ -33,10 +33,10 @@ template <std::floating_point T, ImplicitSurface<T> Surface>
         const T           slope = magnitude(bounds_on_ray(surface, ray, ahead).derivative[0]);
         const T           safe  = std::abs(value) / slope;
         if (safe > least || t + safe > ahead.max) {
-            const bool empty = t + safe > ahead.max;  // nothing on the whole piece
-            const T before = t;
-            t              = empty ? ahead.max : t + safe;
-            reach          = 2 * (empty ? reach : safe);
+            const bool empty  = t + safe > ahead.max;  // nothing on the whole piece
+            const T    before = t;
+            t                 = empty ? ahead.max : t + safe;
+            reach             = 2 * (empty ? reach : safe);
             // Near the surface the step may have relied on nothing but the rounding error of f.
             const T here = f(t);
             if (opposite_signs(value, here)) return bracketed_root(f, Interval<T>{before, t});

@@ -11,8 +11,8 @@
 
 namespace sr {
 
-/// A number that |grad f| nowhere in the box exceeds. Intervals of the gradient bound it in each of 16^3 cells, more
-/// tightly than in the box as a whole; once for a surface, not once for a ray.
+/// A number that |grad f| nowhere in the box exceeds. Intervals of the gradient bound it in each of 16^3 cells,
+/// more tightly than in the box as a whole; once for a surface, not once for a ray.
 template <std::floating_point T, ImplicitSurface<T> Surface>
 [[nodiscard]] T lipschitz_bound(const Surface& surface, const Box<T>& box) {
     constexpr int cells = 16;
@@ -33,8 +33,8 @@ template <std::floating_point T, ImplicitSurface<T> Surface>
     return rounded_up(std::sqrt(largest));
 }
 
-/// The first root of f(o + t d) in `range`, by steps that can't go through the surface: if |grad f| <= L, the sphere of
-/// radius |f(p)| / L around p holds no root, equation (2.8).
+/// The first root of f(o + t d) in `range`, by steps that can't go through the surface: if |grad f| <= L, the
+/// sphere of radius |f(p)| / L around p holds no root, equation (2.8).
 /// @param lipschitz  L, see lipschitz_bound; where it is too small, the ray may pass through the surface
 /// @param tolerance  in units of t: nearer, the surface counts as hit. A ray that passes it nearer than that is hit
 ///                   wrongly; one that grazes it gives up after 4096 steps.

@@ -1,7 +1,7 @@
 #pragma once
 /// @file implicit_surface.hpp
-/// Surfaces that are an equation, f(x, y, z) = 0. Each is a struct with one formula, written for any number type: of
-/// numbers it is the value, of dual numbers also the gradient, of intervals bounds of the value in a box, and of
+/// Surfaces that are an equation, f(x, y, z) = 0. Each is a struct with one formula, written for any number type:
+/// of numbers it is the value, of dual numbers also the gradient, of intervals bounds of the value in a box, and of
 /// polynomials in t the coefficients of f along a ray.
 
 #include <algorithm>

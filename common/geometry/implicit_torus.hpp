@@ -17,6 +17,7 @@ struct Torus {
     T ring;  ///< R
     T tube;  ///< r
 
+    /// For every type of number.
     template <class Number>
     [[nodiscard]] auto f(const Number& x, const Number& y, const Number& z) const {
         const auto from_axis = square(x) + square(y);
