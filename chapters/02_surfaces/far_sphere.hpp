@@ -54,12 +54,13 @@ template <std::floating_point T, class Method>
         if (exact.has_value() != found.has_value()) return Outcome{true, 0};
         return Outcome{false, exact ? std::abs(double(found->first) - *exact) : 0};
     });
-    HitErrors  errors;
+    int        wrong    = 0;
+    double     worst    = 0;
     for (const auto& outcome : outcomes) {
-        errors.wrong += outcome.wrong ? 100.0 / rays : 0;
-        errors.worst_t = max_or_nan(errors.worst_t, outcome.error);
+        wrong += outcome.wrong ? 1 : 0;
+        worst = max_or_nan(worst, outcome.error);
     }
-    return errors;
+    return {100.0 * wrong / rays, worst};
 }
 
 }  // namespace sr

@@ -60,7 +60,7 @@ template <class Method>
         bool self_hit = false, lost = false;
     };
     const Sphere<float> sphere{Vec3(scale * Vector3<double>{7, 5, 3}), float(scale)};
-    const auto          outcomes = each_ray(rays, threads, [&](int i) {
+    const auto          outcomes  = each_ray(rays, threads, [&](int i) {
         Rng              rng{3, i, 0, 0};
         const Vec3       eye = sphere.centre + 10 * sphere.radius * normalize(in_unit_ball<float>(rng));
         const Vec3       target = sphere.centre + 0.99F * sphere.radius * in_unit_ball<float>(rng);
@@ -73,12 +73,12 @@ template <class Method>
         return Outcome{intersect(sphere, outward.ray, outward.range).has_value(),
                        !intersect(sphere, inward.ray, inward.range)};
     });
-    LeavingErrors       errors;
+    int                 self_hits = 0, lost = 0;
     for (const auto& outcome : outcomes) {
-        errors.self_hits += outcome.self_hit ? 100.0 / rays : 0;
-        errors.lost += outcome.lost ? 100.0 / rays : 0;
+        self_hits += outcome.self_hit ? 1 : 0;
+        lost += outcome.lost ? 1 : 0;
     }
-    return errors;
+    return {100.0 * self_hits / rays, 100.0 * lost / rays};
 }
 
 }  // namespace sr

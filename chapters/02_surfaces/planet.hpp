@@ -65,12 +65,12 @@ template <class Method>
                                             const Method& method) {
     const Sphere<float> planet{{0, 0, 0}, radius};
     auto                errors = each_ray(rays, threads, [&](int i) {
-        Rng                   rng{2, i, 0, 0};
-        const Vector3<double> up =
-            place == Place::pole ? Vector3<double>{0, 0, 1} : normalize(in_unit_ball<double>(rng));
-        Vector3<double> d = up;
-        while (dot(d, up) > -0.5 * length(d)) d = in_unit_ball<double>(rng);
-        const Ray<float> ray{Vec3((double(radius) + 1) * up), Vec3(normalize(d))};
+        Rng  rng{2, i, 0, 0};
+        Vec3 up{0, 0, 1};
+        if (place == Place::anywhere) up = normalize(in_unit_ball<float>(rng));
+        Vec3 d = up;
+        while (dot(d, up) > -0.5F * length(d)) d = in_unit_ball<float>(rng);
+        const Ray<float> ray{(radius + 1) * up, normalize(d)};
 
         const Sphere<double> exact_planet{{0, 0, 0}, radius};
         const Ray<double>    exact_ray{ray.origin, ray.direction};

@@ -26,7 +26,7 @@ struct Sphere {
 /// @pre   radius > 0; the squares of |d|, of |o - c| and of the radius neither overflow nor underflow, nor do
 ///        their products (in float, lengths between 10^-9 and 10^9); what is not finite is missed
 /// @see   Haines, Gunther & Akenine-Moeller, Precision Improvements for Ray/Sphere Intersection, Ray Tracing Gems
-///        (2019), chapter 7: (2.5). The factored constant term (2.15) is added here.
+///        (2019), chapter 7: (2.5). Near the sphere their s^2 - r^2 has no digits left; (2.16) has.
 template <std::floating_point T>
 [[nodiscard]] std::optional<Roots<T>> crossings(const Sphere<T>& sphere, const Ray<T>& ray) {
     const Vector3<T> s = ray.origin - sphere.centre;
@@ -35,7 +35,7 @@ template <std::floating_point T>
     const T          a = dot(d, d);
     const T          b = dot(s, d);
 
-    // (2.15) near the sphere, s^2 and r^2 agree in many digits: their difference needs twice as many
+    // (2.16) near the sphere, s^2 and r^2 agree in many digits: their difference needs twice as many
     T c = dot(s, s) - r * r;
     if (!(c > r * r)) c = difference_of_squares(s, r);
     // From inside b^2 - a c is a sum of squares: the ray can't miss.

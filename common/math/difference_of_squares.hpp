@@ -10,12 +10,12 @@
 namespace sr {
 
 /// |v|^2 - r^2 as if computed with twice the digits and then rounded, so that its sign and its digits are right even
-/// where the two squares nearly agree. What rounding takes from each product and from each sum is computed, too,
-/// and added at the end. (Barring underflow. Neither the plain expression nor (|v| - r)(|v| + r) can do this: the
+/// where the two squares nearly agree, equation (2.16). (Barring underflow. Neither the plain expression nor (|v| - r)(|v| + r) can do this: the
 /// first rounds the squares, the second the length.)
 /// @see Ogita, Rump & Oishi, Accurate Sum and Dot Product, SIAM J. Sci. Comput. 26(6), 2005: Dot2
 template <std::floating_point T>
 [[nodiscard]] T difference_of_squares(const Vector3<T>& v, T r) {
+    // What rounding takes from a product or a sum is a number of the type: it is computed, and added at the end.
     T sum   = -r * r;
     T error = std::fma(-r, r, -sum);
     for (const T x : {v.x, v.y, v.z}) {
