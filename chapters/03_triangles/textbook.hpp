@@ -1,6 +1,6 @@
 #pragma once
 /// @file textbook.hpp
-/// How triangles are intersected and measured where numbers have no end: the forms that section 3.6 sees fail.
+/// How triangles are intersected and measured where numbers have no end: the forms that section 3.7 sees fail.
 
 #include <cmath>
 #include <concepts>

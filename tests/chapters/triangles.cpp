@@ -1,0 +1,30 @@
+/// @file triangles.cpp
+/// Chapter 3 from outside: its claims, its text and its figures.
+
+#include <doctest/doctest.h>
+
+#include "chapter_checks.hpp"
+
+using namespace sr;
+using namespace sr::test;
+
+TEST_CASE("chapter 3: claims and text agree, figures have their data, renders do not depend on threads") {
+    const ChapterRuns runs("03_triangles", "--size 64");
+    // What is given: rays of an attack, how much finer double is, the vectors of a cross product, Kahan's bound.
+    runs.check_claims({40'000, 1e9, 1.0001, 0.9999, 1.5});
+    runs.check_renders(3);
+
+    for (const std::string name : {"leaks", "t_errors"}) {
+        const auto chart  = runs.check_chart(name, speed_accuracy_columns, 4 * 2 * 3);
+        const auto method = chart.column("method"), leaks = chart.column("leaks"),
+                   error = chart.column("t_error");
+        for (const auto& row : chart.rows) {
+            CHECK(row[2].number() > 0);
+            CHECK((row[leaks].number() > 0.05) == !row[method].text().starts_with("watertight"));
+            CHECK(row[error].number() <= 1e-7);
+        }
+    }
+    for (const std::string name : {"small_triangles", "needles", "far_away"})
+        runs.check_chart(name, {"series"}, 30);
+    for (const std::string drawing : {"weights", "slit"}) runs.check_chart(drawing, {"shape"}, 10);
+}
