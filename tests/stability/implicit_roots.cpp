@@ -133,6 +133,17 @@ TEST_CASE("S19: a double root changes no sign, however small the steps") {
     CHECK(std::abs(bisect_intervals(twice, axis, range, 1e-9).value_or(0) - 2) <= 1e-6);
 }
 
+TEST_CASE("a step that ends on the surface hides a root from those who multiply the values' signs") {
+    const Ray<double> axis{{-3, 0, 0}, {1, 0, 0}};
+    const auto        f = [&](int t) { return on_ray(sphere, axis, double(t)); };
+    REQUIRE(f(2) == 0);
+    int changes = 0;
+    for (int t = 0; t < 6; ++t) changes += f(t) * f(t + 1) < 0 ? 1 : 0;
+    CHECK(changes == 0);
+    CHECK(march(sphere, axis, {0, 6}, 1.0) == 2.0);
+    CHECK(march(sphere, axis, {2.5, 6}, 0.5) == 4.0);
+}
+
 TEST_CASE(
     "S20: a value of f taken for a distance leads through the surface, divided by a Lipschitz bound it never "
     "does") {
