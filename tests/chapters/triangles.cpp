@@ -10,8 +10,8 @@ using namespace sr::test;
 
 TEST_CASE("chapter 3: claims and text agree, figures have their data, renders do not depend on threads") {
     const ChapterRuns runs("03_triangles", "--size 64");
-    // What is given: rays of an attack, how much finer double is, the vectors of a cross product, Kahan's bound.
-    runs.check_claims({40'000, 1e9, 1.0001, 0.9999, 1.5});
+    // What is given: rays of an attack, the vectors of a cross product, Kahan's 1.5 units.
+    runs.check_claims({40'000, 1.0001, 0.9999, 1.5});
     runs.check_renders(3);
 
     for (const std::string name : {"leaks", "t_errors"}) {
