@@ -2,7 +2,6 @@
 /// @file nearest.hpp
 /// Which of many triangles does a ray meet first? The rule, and the plain way to apply it: ask them all.
 
-#include <cmath>
 #include <concepts>
 #include <cstdint>
 #include <optional>
@@ -58,7 +57,7 @@ public:
         // makes a hierarchy, which looks into a box only where the ray is in it, find the same to the bit.
         const Interval<T> inside = boxes_.clip(bounds(candidate.triangle), asked_);
         const T           t      = hit->t > inside.min ? hit->t : inside.min;
-        if (inside.empty() || !range_.contains(t) || !std::isfinite(t)) return;
+        if (inside.empty() || !range_.contains(t)) return;
         if (best_ && t == best_->t && best_->face < candidate.face) return;
         best_      = MeshHit<T>{t, hit->uv, candidate.face};
         range_.max = t;
