@@ -18,7 +18,7 @@ namespace sr {
 [[nodiscard]] inline std::vector<Mesh<float>> ladder_meshes(bool draft) {
     std::vector<Mesh<float>> meshes;
     const auto               coarsest = convert<float>(teapot(1));
-    for (const std::size_t count : {2, 3, 4, 6, 8, 12, 20, 32}) meshes.push_back(thinned(coarsest, count));
+    for (const std::size_t count : {2U, 3U, 4U, 6U, 8U, 12U, 20U, 32U}) meshes.push_back(thinned(coarsest, count));
     for (const int level : {1, 2, 4, 8, 16, 32, 64, 125}) {
         if (level <= (draft ? 16 : 125)) meshes.push_back(convert<float>(teapot(level)));
     }
