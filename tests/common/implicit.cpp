@@ -159,6 +159,22 @@ TEST_CASE_TEMPLATE("all methods find the same first root, but where a ray grazes
     });
 }
 
+TEST_CASE("with a tolerance below the rounding errors of f, segment tracing loses no ray") {
+    // Near a root |f| is rounding error, 10^-5 here, and over a slope of 1 that is a step through the root.
+    const Torus<float>  torus{2, 0.5F};
+    const Torus<double> exact{2, 0.5};
+    Rng                 rng{6, 0, 0, 0};
+    int                 lost = 0;
+    for (int i = 0; i < 10'000; ++i) {
+        const auto ray = ray_through(torus.bounds(), rng);
+        const auto root =
+            bisect_intervals(exact, Ray<double>{ray.origin, ray.direction}, in_front<double>, 1e-9);
+        const auto found = segment_trace(torus, ray, in_front<float>, 1e-6F);
+        lost += root && !(found && *found <= *root + 0.01) ? 1 : 0;
+    }
+    CHECK(lost == 0);
+}
+
 TEST_CASE("the gradient by dual numbers is the one by hand") {
     check_law("of the torus", [] {
         const double          R = std::abs(*nonzero<double>()), r = std::abs(*nonzero<double>());
