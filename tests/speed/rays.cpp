@@ -1,13 +1,17 @@
 /// @file rays.cpp
-/// Rays per second on the teapot: primary, diffuse bounce and shadow, one thread.
+/// Rays per second on the teapot: primary, diffuse bounce and shadow, one thread; for each rung of the ladder from
+/// brute force to the swept hierarchy, with what it takes to build and the memory that it takes.
 ///
 /// `wrong` counts the rays, of those that brute force had the time for, whose answer to the question that is
 /// timed differs from brute force's: in any bit of the nearest hit, or in whether there is one. `leaks` counts
 /// lost rays among those aimed at vertices that look at the ray's origin.
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <map>
+#include <optional>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -28,7 +32,8 @@ namespace {
 
 constexpr int    image_side        = 768;  // [pixel]: 590 000 primary rays
 constexpr int    repeats           = 5;
-constexpr double brute_force_tests = 1e8;  // ray-triangle tests for each set of rays and repeat
+constexpr int    build_repeats     = 3;
+constexpr double brute_force_tests = 4e7;  // ray-triangle tests for each set of rays and repeat
 constexpr int    vertex_aimed_rays = 1'000'000;
 constexpr Vec3   light{-3, -5, 9};
 
@@ -114,36 +119,63 @@ private:
     std::vector<bool>                       open_;
 };
 
+constexpr std::array<std::pair<const char*, Cut>, 3> rungs{
+    {{"median", Cut::median}, {"binned", Cut::binned}, {"swept", Cut::swept}}};
+
 /// A teapot, and all that is asked about it.
 struct Pot {
-    explicit Pot(int level) : mesh(convert<float>(teapot(level))), all(mesh), hierarchy(mesh), fans(mesh) {}
+    explicit Pot(int level) : mesh(convert<float>(teapot(level))), all(mesh), fans(mesh) {
+        std::vector<course::Work> builds;
+        for (std::size_t i = 0; i < rungs.size(); ++i)
+            builds.push_back({rungs[i].first, [this, i] {
+                                  hierarchies[i].emplace(mesh, HierarchyOptions{.cut = rungs[i].second});
+                              }});
+        build = course::measure(builds, build_repeats);
+    }
 
-    Mesh<float>       mesh;
-    BruteForce<float> all;
-    Hierarchy<float>  hierarchy;
-    Fans              fans;
+    Mesh<float>                                               mesh;
+    BruteForce<float>                                         all;
+    Fans                                                      fans;
+    std::array<std::optional<Hierarchy<float>>, rungs.size()> hierarchies;
+    std::vector<course::Timing>                               build;  ///< of each hierarchy
 };
 
-bool answers_differ(const Pot& pot, const RaySet& set, const Ray<float>& ray) {
-    const auto expected = pot.all.nearest(ray, set.range);
-    return set.any_hit ? pot.hierarchy.occluded(ray, set.range) != expected.has_value()
-                       : pot.hierarchy.nearest(ray, set.range) != expected;
+/// How many of a set's rays each method gets wrong, or lets through a vertex.
+using Counts = std::array<int, rungs.size()>;
+
+Counts answers_that_differ(const Pot& pot, const RaySet& set, const std::vector<Ray<float>>& rays) {
+    Counts different{};
+    for (const auto& ray : rays) {
+        const auto expected = pot.all.nearest(ray, set.range);
+        for (std::size_t i = 0; i < rungs.size(); ++i) {
+            const Hierarchy<float>& hierarchy = *pot.hierarchies[i];
+            const bool same = set.any_hit ? hierarchy.occluded(ray, set.range) == expected.has_value()
+                                          : hierarchy.nearest(ray, set.range) == expected;
+            different[i] += same ? 0 : 1;
+        }
+    }
+    return different;
 }
 
-template <class Surfaces>
-int leaks(const Surfaces& surfaces, const Pot& pot, const RaySet& set, int rays) {
-    const auto& vertices = pot.mesh.vertices;
-    int         lost     = 0;
-    Rng         rng{2, 0, 0, 0};
-    for (int aimed = 0; aimed < rays;) {
+/// Rays from where the set's own start to vertices that they can't pass.
+std::vector<Ray<float>> vertex_aimed(const Pot& pot, const RaySet& set, int count) {
+    const auto&             vertices = pot.mesh.vertices;
+    std::vector<Ray<float>> rays;
+    Rng                     rng{2, 0, 0, 0};
+    while (int(rays.size()) < count) {
         const auto vertex = std::uint32_t(rng.uniform<double>() * double(vertices.size()));
         const auto from   = std::size_t(rng.uniform<double>() * double(set.origins_of_aimed.size()));
         const Vec3 origin = set.origins_of_aimed[from];
-        if (!pot.fans.faces_point(vertex, origin)) continue;
-        ++aimed;
-        lost += hits(surfaces, {origin, vertices[vertex] - origin}, {0, 1.0001F}, set.any_hit) ? 0 : 1;
+        if (pot.fans.faces_point(vertex, origin)) rays.push_back({origin, vertices[vertex] - origin});
     }
-    return lost;
+    return rays;
+}
+
+template <class Surfaces>
+int leaks(const Surfaces& surfaces, const RaySet& set, std::span<const Ray<float>> aimed) {
+    return int(std::count_if(aimed.begin(), aimed.end(), [&](const Ray<float>& ray) {
+        return !hits(surfaces, ray, {0, 1.0001F}, set.any_hit);
+    }));
 }
 
 /// Rays that brute force has the time for, spread over the set.
@@ -155,7 +187,7 @@ std::vector<Ray<float>> subset(const RaySet& set, std::size_t triangles) {
 }
 
 /// What a set of rays tells the progress: each repeat of each method, then each of two checks.
-constexpr int steps = 2 * repeats + 2;
+constexpr int steps = repeats * (1 + int(rungs.size())) + 2;
 
 void bench(const Pot& pot, const RaySet& set, course::Rows& rows, course::Progress& progress) {
     const auto    some  = subset(set, pot.mesh.faces.size());
@@ -164,21 +196,28 @@ void bench(const Pot& pot, const RaySet& set, course::Rows& rows, course::Progre
         for (const auto& ray : rays) hit += hits(surfaces, ray, set.range, set.any_hit);
         progress.tick();
     };
-    const auto timings = course::measure({{"brute force", [&] { trace(pot.all, some); }},
-                                          {"binary hierarchy", [&] { trace(pot.hierarchy, set.rays); }}},
-                                         repeats);
+    std::vector<course::Work> work{{"brute force", [&] { trace(pot.all, some); }}};
+    for (std::size_t i = 0; i < rungs.size(); ++i)
+        work.push_back({rungs[i].first, [&, i] { trace(*pot.hierarchies[i], set.rays); }});
+    const auto timings = course::measure(work, repeats);
 
-    int wrong = 0;
-    for (const auto& ray : some) wrong += answers_differ(pot, set, ray) ? 1 : 0;
+    const Counts wrong = answers_that_differ(pot, set, some);
     progress.tick();
-    const int lost[] = {leaks(pot.all, pot, set, int(some.size())),
-                        leaks(pot.hierarchy, pot, set, vertex_aimed_rays)};
-    progress.tick();
-    for (std::size_t i = 0; i < 2; ++i) {
-        const double millions = double(i == 0 ? some.size() : set.rays.size()) / 1e6;
-        rows.add({"teapot", pot.mesh.faces.size(), set.name, timings[i].name, millions / timings[i].median,
-                  millions / timings[i].max, millions / timings[i].min, i == 0 ? 0 : wrong, lost[i]});
+    const auto                        aimed = vertex_aimed(pot, set, vertex_aimed_rays);
+    const std::span<const Ray<float>> few(aimed.data(), std::min(some.size(), aimed.size()));
+    const auto add = [&](const course::Timing& timing, std::size_t rays, int different, int lost,
+                         double build, double bytes_each) {
+        const double millions = double(rays) / 1e6;
+        rows.add({"teapot", pot.mesh.faces.size(), set.name, timing.name, millions / timing.median,
+                  millions / timing.max, millions / timing.min, different, lost, build, bytes_each});
+    };
+    add(timings[0], some.size(), 0, leaks(pot.all, set, few), 0, double(sizeof(FaceTriangle<float>)));
+    for (std::size_t i = 0; i < rungs.size(); ++i) {
+        const auto& hierarchy = *pot.hierarchies[i];
+        add(timings[i + 1], set.rays.size(), wrong[i], leaks(hierarchy, set, aimed), pot.build[i].median,
+            double(bytes(hierarchy)) / double(pot.mesh.faces.size()));
     }
+    progress.tick();
     if (hit == 0) throw std::logic_error("no ray of the benchmark hit the teapot");
 }
 
@@ -187,13 +226,16 @@ void bench(const Pot& pot, const RaySet& set, course::Rows& rows, course::Progre
 
 int main(int argc, char** argv) {
     return sr::course::run_benchmark(
-        argc, argv, "Rays per second on the teapot: primary, diffuse bounce and shadow, one thread.", [] {
-            sr::course::Rows rows{
-                {"mesh", "triangles", "rays", "method", "mrays_per_s", "min", "max", "wrong", "leaks"}};
+        argc, argv,
+        "Rays per second on the teapot: primary, diffuse bounce and shadow, one thread, for every way to "
+        "build.",
+        [] {
+            sr::course::Rows     rows{{"mesh", "triangles", "rays", "method", "mrays_per_s", "min", "max",
+                                       "wrong", "leaks", "build_s", "bytes_per_triangle"}};
             sr::course::Progress progress("tracing", 2 * 3 * sr::steps);
             for (const int level : {40, 125}) {
                 const sr::Pot pot(level);
-                for (const auto& set : sr::ray_sets(pot.mesh, pot.hierarchy))
+                for (const auto& set : sr::ray_sets(pot.mesh, *pot.hierarchies.back()))
                     sr::bench(pot, set, rows, progress);
             }
             return rows;
