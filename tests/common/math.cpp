@@ -79,3 +79,13 @@ TEST_CASE("the difference of products keeps its sign where the plain one is zero
     CHECK(difference_of_products(1.0F, 1.0F, a, b) > 0);
     CHECK(difference_of_products(3.0, 4.0, 2.0, 6.0) == 0.0);
 }
+
+TEST_CASE("a double that is rounded to float has been rounded, whatever the compiler packs together") {
+    const volatile double given[] = {0.1, 0.2, 0.3};
+    const Vector3<double> exact{given[0], given[1], given[2]};
+    const Vec3            rounded(exact);
+    const Vector3<double> back(rounded);
+    CHECK(back.x == double(0.1F));
+    CHECK(back.y == double(0.2F));
+    CHECK(back.z == double(0.3F));
+}

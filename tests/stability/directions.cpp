@@ -8,7 +8,8 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <optional>
+#include <tuple>
+#include <utility>
 
 #include "law.hpp"
 #include "math/angle.hpp"
