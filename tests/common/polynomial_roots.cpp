@@ -65,6 +65,15 @@ TEST_CASE_TEMPLATE("a double root is found once, and so is one that rounding wou
     CHECK(std::abs(twice.root[0] - T(0.3)) <= 8 * sqrt_epsilon);
     CHECK(roots_in(square(Polynomial<T, 2>{{T(-0.7), 0, 1}}), everywhere<T>).count == 2);
 
+    // Rounding lifts a quarter of these off 0, and more.
+    int found = 0;
+    for (int i = 1; i <= 200; ++i) {
+        const T    root = T(i) / 77;
+        const auto p    = square(Polynomial<T, 1>{{-root, 1}}) * Polynomial<T, 2>{{3, 1, 1}};
+        found += std::abs(first_root(p, everywhere<T>).value_or(-1) - root) <= 8 * sqrt_epsilon ? 1 : 0;
+    }
+    CHECK(found == 200);
+
     // (t^2 + 1)^2 has no real root; t^4 one, and nothing about it is simple.
     CHECK(roots_in(square(Polynomial<T, 2>{{1, 0, 1}}), everywhere<T>).count == 0);
     CHECK(first_root(Polynomial<T, 4>{{0, 0, 0, 0, 1}}, everywhere<T>) == T(0));
