@@ -26,20 +26,26 @@
 
 namespace sr::test {
 
-/// Tries the law on random arguments, the same ones on every run; a failure shows the smallest that it finds.
+/// Tries the law on random arguments, the same ones on every run.
+/// @return the smallest counterexample that was found, and what it breaks; empty if the law held
 template <class Law>
-void check_law(const std::string& what, const Law& law, int cases = 2000) {
+[[nodiscard]] std::string counterexample(const Law& law, int cases = 2000) {
     rc::detail::TestParams params;
     params.seed       = 1;
     params.maxSuccess = cases;
     rc::detail::TestListenerAdapter silent;  // doctest speaks, and the usual one speaks of a random seed
-    const auto result = rc::detail::checkTestable(law, rc::detail::TestMetadata{what, what}, params, silent,
+    const auto result = rc::detail::checkTestable(law, rc::detail::TestMetadata{}, params, silent,
                                                   std::unordered_map<std::string, rc::detail::Reproduce>{});
-
+    if (result.template is<rc::detail::SuccessResult>()) return "";
     std::ostringstream told;
     rc::detail::printResultMessage(result, told);
-    INFO(what << ": " << told.str());
-    CHECK(result.template is<rc::detail::SuccessResult>());
+    return told.str();
+}
+
+template <class Law>
+void check_law(const std::string& what, const Law& law, int cases = 2000) {
+    INFO(what);
+    CHECK(counterexample(law, cases) == "");
 }
 
 template <std::floating_point T>

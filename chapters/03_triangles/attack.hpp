@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "geometry/neighbours.hpp"
 #include "image/image.hpp"
-#include "neighbours.hpp"
 #include "sampling/rng.hpp"
 #include "scene/teapot.hpp"
 #include "scene/uv_sphere.hpp"
@@ -33,6 +33,11 @@ struct Target {
     Mesh<double>                         mesh;
     std::function<Vector3<double>(Rng&)> origin;
     Neighbours                           neighbours{mesh};
+
+    /// Whether no ray from the point may pass at the vertex.
+    [[nodiscard]] bool walls_off(std::uint32_t vertex, const Vector3<double>& point) const {
+        return sr::walls_off(mesh, neighbours, vertex, point);
+    }
 };
 
 /// In [-1, 1]^3.
@@ -71,19 +76,6 @@ struct Aim {
 
 enum class At { edges, vertices };
 
-/// Whether all faces around the vertex show the point the same side, and none is seen edge-on.
-[[nodiscard]] inline bool walls_off(const Target& target, std::uint32_t vertex, Vector3<double> point) {
-    if (!target.neighbours.closed(vertex) || target.neighbours.around(vertex).empty()) return false;
-    const auto towards = normalize(point - target.mesh.vertices[vertex]);
-    bool       front = false, back = false;
-    for (const auto face : target.neighbours.around(vertex)) {
-        const double cosine = dot(normalize(area_vector(target.mesh.triangle(face))), towards);
-        front               = front || cosine > -0.02;
-        back                = back || cosine < 0.02;
-    }
-    return front != back;
-}
-
 /// The ray of this number: it has to hit one of the faces around the edge's ends.
 [[nodiscard]] inline Aim aim(const Target& target, At at, int number) {
     Rng rng{3, int(at), 0, number};
@@ -94,7 +86,7 @@ enum class At { edges, vertices };
         const auto   corner = std::size_t(rng.uniform() * 3);
         const auto   a = face[corner], b = face[(corner + 1) % 3];
         const double u = at == At::vertices ? 0 : rng.uniform<double>();
-        if (walls_off(target, a, origin) && (at == At::vertices || walls_off(target, b, origin)))
+        if (target.walls_off(a, origin) && (at == At::vertices || target.walls_off(b, origin)))
             return {origin, a, b, u};
     }
 }

@@ -57,7 +57,7 @@ template <class Method>
     for (const auto& face : mesh.faces) {
         for (std::size_t corner = 0; corner < 3; ++corner) {
             const auto a = face[corner], b = face[(corner + 1) % 3];
-            if (a > b || !walls_off(target, a, camera.position) || !walls_off(target, b, camera.position))
+            if (a > b || !target.walls_off(a, camera.position) || !target.walls_off(b, camera.position))
                 continue;
             for (int i = 0; i < rays; ++i) shoot({camera.position, a, b, (i + 0.5) / rays});
         }

@@ -43,9 +43,10 @@ TEST_CASE_TEMPLATE("the numbers of a scene are finite, large and small", T, floa
     CHECK(count(nonzero<T>(), [](T x) { return x != 0; }) == 100'000);
 }
 
-TEST_CASE("a law that holds nearly always is found to be none" * doctest::should_fail()) {
-    check_law("a float plus 0.0002 is another float", [] {
+TEST_CASE("a law that holds nearly always is found to be none, and by which argument") {
+    const auto told = counterexample([] {
         const float x = *finite<float>();
         RC_ASSERT(x + 2e-4F != x);
     });
+    CHECK(told.find("4096") != std::string::npos);  // the smallest float whose neighbours are so far away
 }

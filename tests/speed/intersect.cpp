@@ -32,6 +32,7 @@
 #include "geometry/plane_triangle.hpp"
 #include "geometry/sphere.hpp"
 #include "geometry/triangle.hpp"
+#include "sampling/ball.hpp"
 #include "sampling/rng.hpp"
 
 namespace sr {
@@ -50,12 +51,7 @@ struct Contender {
 
 template <class T>
 Vector3<T> in_ball(T radius, Rng& rng) {
-    for (;;) {
-        const double x = 2 * rng.uniform<double>() - 1;
-        const double y = 2 * rng.uniform<double>() - 1;
-        const double z = 2 * rng.uniform<double>() - 1;
-        if (x * x + y * y + z * z <= 1) return radius * Vector3<T>(Vector3<double>{x, y, z});
-    }
+    return radius * in_unit_ball<T>(rng);
 }
 
 template <class T>

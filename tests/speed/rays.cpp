@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <map>
 #include <optional>
 #include <span>
 #include <stdexcept>
@@ -21,6 +20,8 @@
 #include "course/progress.hpp"
 #include "course/timing.hpp"
 #include "geometry/hierarchy.hpp"
+#include "geometry/neighbours.hpp"
+#include "geometry/offset.hpp"
 #include "math/frame.hpp"
 #include "sampling/hemisphere.hpp"
 #include "sampling/rng.hpp"
@@ -36,9 +37,6 @@ constexpr int    build_repeats     = 3;
 constexpr double brute_force_tests = 4e7;  // ray-triangle tests for each set of rays and repeat
 constexpr int    vertex_aimed_rays = 1'000'000;
 constexpr Vec3   light{-3, -5, 9};
-
-// A shadow ray ends, at t = 1, in the light: what lies there shadows nothing.
-constexpr Interval<float> before_the_light{0, 0.9999F};
 
 /// Rays of one kind, and whether the question is "what first?" or "anything?".
 struct RaySet {
@@ -63,68 +61,31 @@ std::vector<RaySet> ray_sets(const Mesh<float>& mesh, const Hierarchy<float>& hi
     const auto            camera = convert<float>(
         pinhole_camera<double>(eye, target - eye, {0, 0, 1}, 1.0, 0.82, image_side, image_side));
     RaySet primary{"primary", {}, {camera.position}}, diffuse{"diffuse", {}, {}},
-        shadow{"shadow", {}, {light}, before_the_light, true};
+        shadow{"shadow", {}, {light}, before_the_end<float>, true};
     for (int y = 0; y < image_side; ++y) {
         for (int x = 0; x < image_side; ++x) {
             const auto ray = camera.ray_through_pixel(x, y);
             primary.rays.push_back(ray);
             const auto hit = hierarchy.nearest(ray);
             if (!hit) continue;
-            Vec3 n = normalize(area_vector(mesh.triangle(hit->face)));
-            if (dot(n, ray.direction) > 0) n = -n;
-            const Vec3  p = ray.at(hit->t) + 1e-3F * n;
+            const auto  p = surface_point(mesh.triangle(hit->face), hit->uv);
+            const Vec3  n = dot(p.normal, ray.direction) < 0 ? p.normal : -p.normal;
             Rng         rng{1, x, y, 0};
             const float u = rng.uniform(), v = rng.uniform();
-            diffuse.rays.push_back({p, frame_around(n).to_world(sample_cosine_hemisphere({u, v}))});
-            diffuse.origins_of_aimed.push_back(p);
-            shadow.rays.push_back({p, light - p});
+            diffuse.rays.push_back(leave(p, frame_around(n).to_world(sample_cosine_hemisphere({u, v}))));
+            diffuse.origins_of_aimed.push_back(diffuse.rays.back().origin);
+            shadow.rays.push_back(between(p, light));
         }
     }
     return {std::move(primary), std::move(diffuse), std::move(shadow)};
 }
-
-/// The faces around each vertex, and which vertices they enclose without a gap.
-class Fans {
-public:
-    explicit Fans(const Mesh<float>& mesh)
-        : mesh_(mesh), faces_(mesh.vertices.size()), open_(mesh.vertices.size(), false) {
-        std::map<std::pair<std::uint32_t, std::uint32_t>, int> sides;
-        for (std::uint32_t face = 0; face < mesh.faces.size(); ++face) {
-            for (std::size_t i = 0; i < 3; ++i) {
-                const auto a = mesh.faces[face][i], b = mesh.faces[face][(i + 1) % 3];
-                faces_[a].push_back(face);
-                ++sides[std::minmax(a, b)];
-            }
-        }
-        for (const auto& [ends, count] : sides) {
-            if (count != 2) open_[ends.first] = open_[ends.second] = true;
-        }
-    }
-
-    /// Whether the faces around the vertex all show their front to the point, and not from the edge: then a
-    /// ray from there to the vertex can't pass, whatever its rounding.
-    [[nodiscard]] bool faces_point(std::uint32_t vertex, Vec3 point) const {
-        const Vec3 towards = point - mesh_.vertices[vertex];
-        if (open_[vertex] || faces_[vertex].empty()) return false;
-        for (const auto face : faces_[vertex]) {
-            const Vec3 n = area_vector(mesh_.triangle(face));
-            if (!(dot(n, towards) > 0.02F * length(n) * length(towards))) return false;
-        }
-        return true;
-    }
-
-private:
-    const Mesh<float>&                      mesh_;
-    std::vector<std::vector<std::uint32_t>> faces_;
-    std::vector<bool>                       open_;
-};
 
 constexpr std::array<std::pair<const char*, Cut>, 3> rungs{
     {{"median", Cut::median}, {"binned", Cut::binned}, {"swept", Cut::swept}}};
 
 /// A teapot, and all that is asked about it.
 struct Pot {
-    explicit Pot(int level) : mesh(convert<float>(teapot(level))), all(mesh), fans(mesh) {
+    explicit Pot(int level) : mesh(convert<float>(teapot(level))), all(mesh), neighbours(mesh) {
         std::vector<course::Work> builds;
         for (std::size_t i = 0; i < rungs.size(); ++i)
             builds.push_back({rungs[i].first, [this, i] {
@@ -135,7 +96,7 @@ struct Pot {
 
     Mesh<float>                                               mesh;
     BruteForce<float>                                         all;
-    Fans                                                      fans;
+    Neighbours                                                neighbours;
     std::array<std::optional<Hierarchy<float>>, rungs.size()> hierarchies;
     std::vector<course::Timing>                               build;  ///< of each hierarchy
 };
@@ -166,7 +127,8 @@ std::vector<Ray<float>> vertex_aimed(const Pot& pot, const RaySet& set, int coun
         const auto vertex = std::uint32_t(rng.uniform<double>() * double(vertices.size()));
         const auto from   = std::size_t(rng.uniform<double>() * double(set.origins_of_aimed.size()));
         const Vec3 origin = set.origins_of_aimed[from];
-        if (pot.fans.faces_point(vertex, origin)) rays.push_back({origin, vertices[vertex] - origin});
+        if (walls_off(pot.mesh, pot.neighbours, vertex, origin))
+            rays.push_back({origin, vertices[vertex] - origin});
     }
     return rays;
 }

@@ -16,6 +16,7 @@
 #include "math/extremes.hpp"
 #include "math/frame.hpp"
 #include "math/unit.hpp"
+#include "sampling/ball.hpp"
 #include "sampling/rng.hpp"
 
 using namespace sr;
@@ -37,13 +38,6 @@ float deviation(const Frame<float>& f) {
          {std::tuple{f.s, f.s, 1.0F}, {f.t, f.t, 1.0F}, {f.s, f.t, 0.0F}, {f.s, f.n, 0.0F}, {f.t, f.n, 0.0F}})
         worst = max_or_nan(worst, std::abs(dot(a, b) - expected));
     return worst;
-}
-
-/// Normalised in float, as directions are.
-Vec3 random_direction(Rng& rng) {
-    const float z = 2 * rng.uniform() - 1, phi = 2 * std::numbers::pi_v<float> * rng.uniform();
-    const float r = std::sqrt(1 - z * z);
-    return normalize(Vec3{r * std::cos(phi), r * std::sin(phi), z});
 }
 
 }  // namespace
@@ -72,7 +66,7 @@ TEST_CASE("S24 the angle between neighbours: acos(a.b) is NaN or noise, the core
     float         worst = 0;
     Rng           rng{24, 0, 0, 0};
     for (int i = 0; i < rays; ++i) {
-        const Vec3 a = random_direction(rng);
+        const Vec3 a = normalize(in_unit_ball<float>(rng));
         const Vec3 b = normalize(a + 1.4e-4F * frame_around(a).s);
         beyond_one += dot(a, a) > 1 ? 1 : 0;
         not_a_number += std::isnan(std::acos(dot(a, b))) ? 1 : 0;
