@@ -82,6 +82,7 @@ public:
 
 private:
     static constexpr T padding = 1 + 16 * std::numeric_limits<T>::epsilon();
+    static_assert(padding >= 1 + 3 * std::numeric_limits<T>::epsilon(), "(4.5): three roundings each way");
 
     /// What one axis needs: which of a box's corner coordinates the ray meets first, and how t follows from it.
     struct Slab {

@@ -79,11 +79,4 @@ private:
     HierarchyTree<T> tree_;
 };
 
-/// The memory that it takes [byte].
-template <std::floating_point T>
-[[nodiscard]] std::size_t bytes(const Hierarchy<T>& hierarchy) {
-    const auto& tree = hierarchy.tree();
-    return tree.nodes.size() * sizeof(tree.nodes[0]) + tree.triangles.size() * sizeof(tree.triangles[0]);
-}
-
 }  // namespace sr

@@ -25,12 +25,13 @@ struct ExpectedWork {
 
 /// A line that meets a convex body meets another one in it with the chance S_inner / S_outer. So each node and
 /// each leaf's triangles count as much as their box's surface does in the root's. It is the expectation for
-/// isotropic lines that nothing stops.
+/// isotropic lines that nothing stops. Where the root's box has no surface, nobody meets it: no work.
 /// @see Goldsmith & Salmon, Automatic Creation of Object Hierarchies for Ray Tracing, IEEE CG&A 7(5), 1987
 template <std::floating_point T>
 [[nodiscard]] ExpectedWork expected_work(const HierarchyTree<T>& tree) {
     if (tree.root.is_leaf() || tree.triangles.empty()) return {0, double(tree.root.count)};
     const double whole = double(tree.box.half_area());
+    if (!(whole > 0)) return {};
     ExpectedWork work{1, 0};
     for (const auto& node : tree.nodes) {
         for (std::size_t side = 0; side < 2; ++side) {

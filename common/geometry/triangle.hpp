@@ -65,12 +65,12 @@ public:
 
     /// The nearest hit is `Hit::t` in units of the ray's own direction, on either side of the triangle.
     ///
-    /// The signs of the three edge functions are exact, hence two triangles that share an edge can't both
-    /// decide that a ray is on the other's side of it; a ray exactly on an edge hits both. Triangles that are
+    /// Of two triangles that share an edge, the edge function of one is exactly minus that of the other: they
+    /// can't both decide that a ray is beyond it. A ray exactly on an edge hits both. Triangles that are
     /// seen edge-on, or have no area, are missed. All comparisons are written so that NaN misses.
     /// @see Woop, Benthin & Wald, Watertight Ray/Triangle Intersection, JCGT 2(1), 2013. They compute the edge
     ///      functions plainly and repeat them in double where one is zero; here Kahan's difference of products
-    ///      gives the right sign at once, and in any precision.
+    ///      gives the weights their digits at once, and in any precision.
     [[nodiscard]] std::optional<Hit<T>> intersect(const Triangle<T>& triangle, Interval<T> range) const {
         const Seen a = seen(triangle.a);
         const Seen b = seen(triangle.b);

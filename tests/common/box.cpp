@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "law.hpp"
+#include "vector_of.hpp"
 
 using namespace sr;
 
@@ -24,13 +25,7 @@ bool misses(Vec3 origin, Vec3 direction, const Box<float>& box = cube) {
 }
 
 Vec3 finite_vector() {
-    const float x = *test::finite<float>(), y = *test::finite<float>(), z = *test::finite<float>();
-    return {x, y, z};
-}
-
-Vec3 any_vector() {
-    const float x = *test::any_bits<float>(), y = *test::any_bits<float>(), z = *test::any_bits<float>();
-    return {x, y, z};
+    return test::vector_of(test::finite<float>());
 }
 
 Box<float> finite_box() {
@@ -44,8 +39,8 @@ bool equal(Interval<float> a, Interval<float> b) {
 }
 }  // namespace
 
-TEST_CASE("the interval of a ray in a box: entry and exit by hand") {
-    // Oracle G3: the slabs of [-1, 1]^3 are passed in [2, 4], [2, 6] and [2, 14/3]. The exit is lengthened by 16
+TEST_CASE("G3 the interval of a ray in a box: entry and exit by hand") {
+    // The slabs of [-1, 1]^3 are passed in [2, 4], [2, 6] and [2, 14/3]. The exit is lengthened by 16
     // units in the last place on purpose, and 8 more are allowed.
     const auto inside = clip({-3, -2, -2.5F}, {1, 0.5F, 0.75F});
     CHECK(inside.min == 2);
@@ -102,13 +97,14 @@ TEST_CASE("a box grows around points, and an empty one has no surface") {
     CHECK(misses({0, 0, 0}, {1, 1, 1}, Box<float>{}));
 }
 
-TEST_CASE(
-    "laws of boxes: any bits give an interval without NaN, which lies in the range that was asked for") {
+TEST_CASE_TEMPLATE("laws of boxes: any bits give an interval without NaN, in the range that was asked for", T,
+                   float, double) {
     test::check_law("clip", [] {
-        const Box<float>      box{any_vector(), any_vector()};
-        const Vec3            o = any_vector(), d = any_vector();
-        const Interval<float> range{std::abs(*test::finite<float>()), std::abs(*test::finite<float>())};
-        const auto            inside = BoxRay<float>({o, d}).clip(box, range);
+        const auto        any = test::any_bits<T>();
+        const Box<T>      box{test::vector_of(any), test::vector_of(any)};
+        const Ray<T>      ray{test::vector_of(any), test::vector_of(any)};
+        const Interval<T> range{std::abs(*test::finite<T>()), std::abs(*test::finite<T>())};
+        const auto        inside = BoxRay<T>(ray).clip(box, range);
         RC_ASSERT(inside.min >= range.min);
         RC_ASSERT(inside.max <= range.max);
     });

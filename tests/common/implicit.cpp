@@ -93,7 +93,7 @@ struct SquaredSphere {
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("roots of torus and ellipsoid are those of their closed forms", T, float, double) {
+TEST_CASE_TEMPLATE("G4 roots of torus and ellipsoid are those of their closed forms", T, float, double) {
     // In the torus' plane x = -+(R +- r), and at height z = -+(R +- sqrt(r^2 - z^2)). Relative errors of the origin 5,
     // of R = 2 and of r = 0.5, and one of d, move t = 2.5 by (5 + 2 + 0.5) / 2.5 + 1 times as much; no other more.
     const Torus<T> torus{2, T(0.5)};
@@ -105,7 +105,7 @@ TEST_CASE_TEMPLATE("roots of torus and ellipsoid are those of their closed forms
                    {3.585786437626905, 6.414213562373095}, 1 + 9.25 / 3.5858);
 }
 
-TEST_CASE("a double root is found by intervals and by the polynomial, and lost by marching") {
+TEST_CASE("G4 a double root is found by intervals and by the polynomial, and lost by marching") {
     const SquaredSphere    twice;
     const Ray<double>      axis{{-3, 0, 0}, {1, 0, 0}};
     const Interval<double> all{};

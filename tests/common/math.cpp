@@ -35,6 +35,7 @@ TEST_CASE("an interval is closed and does not contain NaN") {
     CHECK(!interval.contains(std::nextafter(2.0F, 3.0F)));
     CHECK(!interval.contains(std::numeric_limits<float>::quiet_NaN()));
     CHECK(!interval.empty());
+    CHECK(!Interval<float>{1, 1}.empty());  // S56: a flat box is entered and left at the same t
     CHECK(Interval<float>{2, 1}.empty());
     CHECK(Interval<float>{std::numeric_limits<float>::quiet_NaN(), 1}.empty());
 }

@@ -170,6 +170,22 @@ TEST_CASE_TEMPLATE("a million rays leave surfaces of all scales: none meets its 
     });
 }
 
+TEST_CASE_TEMPLATE("the bound has a margin of four, and none of sixteen", T, float, double) {
+    const auto share_of_bound = [](T share) {
+        return [=](SurfacePoint<T> p, const Vector3<T>& direction) {
+            p.error *= share;
+            return Launch<T>{leave(p, direction)};
+        };
+    };
+    int too_little = 0;
+    for_each_kind<T>([&](const std::string& kind, const auto& make) {
+        CAPTURE(kind);
+        CHECK(mistakes<T>(make, share_of_bound(T(0.25)), 20'000).self_hits == 0);
+        too_little += mistakes<T>(make, share_of_bound(T(1) / 16), 20'000).self_hits;
+    });
+    CHECK(too_little > 0);
+}
+
 TEST_CASE("no epsilon can do that: a small one finds the own surface, a large one loses another") {
     for_each_kind<float>([](const std::string& kind, const auto& make) {
         CAPTURE(kind);

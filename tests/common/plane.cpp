@@ -14,7 +14,7 @@
 using namespace sr;
 using namespace sr::test;
 
-TEST_CASE_TEMPLATE("a ray meets a plane, also when it grazes it", T, float, double) {
+TEST_CASE_TEMPLATE("G5 a ray meets a plane, also when it grazes it", T, float, double) {
     // n = (1, 2, 2) / 3 and n.p = 3: t = 3 / (n.d) is 3 / (5/3) = 9/5, and 3 / (2e-9 / 3) = 4.5e9.
     constexpr double eps   = std::numeric_limits<T>::epsilon();
     const Vector3<T> third = {T(1) / 3, T(2) / 3, T(2) / 3};

@@ -34,7 +34,7 @@ rc::Gen<T> moderate() {
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("a ray meets the unit sphere at rational t", T, float, double) {
+TEST_CASE_TEMPLATE("G1 a ray meets the unit sphere at rational t", T, float, double) {
     // |o + t d| = 1, solved by hand: t = -o.d / d^2 -+ sqrt(1 - h^2) / |d| where the line passes at h = 0 or 0.6
     // from the centre, so that the root is 1 or 0.8.
     struct Case {
@@ -90,7 +90,7 @@ TEST_CASE_TEMPLATE("laws of a ray and a sphere", T, float, double) {
         RC_PRE(dot(to, to) > 0);
         const Vector3<T> origin = sphere.radius / length(to) * to;
         RC_PRE(difference_of_squares(origin, sphere.radius) < 0);
-        const auto       roots  = crossings(sphere, Ray<T>{origin, direction});
+        const auto roots = crossings(sphere, Ray<T>{origin, direction});
         RC_ASSERT(roots.has_value());
         RC_ASSERT(roots->first < 0);
         RC_ASSERT(roots->second > 0);

@@ -78,7 +78,7 @@ bool is_edge_on(const Known& known) {
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("all methods: exact rational t, b1, b2", T, float, double) {
+TEST_CASE_TEMPLATE("G2 all methods: exact rational t, b1, b2", T, float, double) {
     // Of both, (b - a, c - a, -d) (b1, b2, t)^T = o - a is solved in fractions: 90/31, 37/124, 49/124; and 5, 1/4, 1/2.
     const Known first{
         {{-1, -1, 2}, {2, -1, 3}, {0, 3, 1}}, {{0, 0, -1}, {0.1, 0.2, 1}}, 90 / 31.0, 37 / 124.0, 49 / 124.0};

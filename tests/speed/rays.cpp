@@ -83,6 +83,13 @@ std::vector<RaySet> ray_sets(const Mesh<float>& mesh, const Hierarchy<float>& hi
 constexpr std::array<std::pair<const char*, Cut>, 3> rungs{
     {{"median", Cut::median}, {"binned", Cut::binned}, {"swept", Cut::swept}}};
 
+/// The memory that a hierarchy takes [byte].
+double bytes(const Hierarchy<float>& hierarchy) {
+    const auto& tree = hierarchy.tree();
+    return double(tree.nodes.size() * sizeof(tree.nodes[0]) +
+                  tree.triangles.size() * sizeof(tree.triangles[0]));
+}
+
 /// A teapot, and all that is asked about it.
 struct Pot {
     explicit Pot(int level) : mesh(convert<float>(teapot(level))), all(mesh), neighbours(mesh) {
@@ -177,7 +184,7 @@ void bench(const Pot& pot, const RaySet& set, course::Rows& rows, course::Progre
     for (std::size_t i = 0; i < rungs.size(); ++i) {
         const auto& hierarchy = *pot.hierarchies[i];
         add(timings[i + 1], set.rays.size(), wrong[i], leaks(hierarchy, set, aimed), pot.build[i].median,
-            double(bytes(hierarchy)) / double(pot.mesh.faces.size()));
+            bytes(hierarchy) / double(pot.mesh.faces.size()));
     }
     progress.tick();
     if (hit == 0) throw std::logic_error("no ray of the benchmark hit the teapot");

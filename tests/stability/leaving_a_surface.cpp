@@ -9,17 +9,15 @@
 
 #include "../../chapters/02_surfaces/leaving.hpp"
 #include "../../chapters/02_surfaces/textbook_sphere.hpp"
+#include "catalogue.hpp"
 #include "math/extremes.hpp"
 #include "sampling/ball.hpp"
 #include "sampling/rng.hpp"
 
 using namespace sr;
+using test::within_factor_3;
 
 namespace {
-
-bool within_factor_3(double measured, double published) {
-    return measured >= published / 3 && measured <= 3 * published;
-}
 
 constexpr int rays = 50'000;
 

@@ -6,12 +6,14 @@
 #include <cmath>
 #include <optional>
 
+#include "catalogue.hpp"
 #include "geometry/hierarchy.hpp"
 #include "geometry/moeller_trumbore.hpp"
 #include "sampling/rng.hpp"
 #include "scene/uv_sphere.hpp"
 
 using namespace sr;
+using test::within_factor_3;
 
 namespace {
 
@@ -80,28 +82,24 @@ constexpr auto watertight = []<class T>(const Triangle<T>& triangle, const Ray<T
     return TriangleRay<T>(ray).intersect(triangle, in_front<T>).has_value();
 };
 
-/// Within a factor of 3 of what the catalogue says.
-void check_rate(double measured, double catalogue) {
-    CHECK(measured >= catalogue / 3);
-    CHECK(measured <= catalogue * 3);
-}
-
-/// The UV sphere of 528 triangles in another place and size.
+/// The UV sphere of 528 triangles in another place and size; flattened, a lens of needles.
 template <class T>
 struct Globe {
     double          scale;
     Vector3<double> centre;
+    double          flat = 1;
     Mesh<T>         mesh = placed();
 
     Mesh<T> placed() const {
         auto exact = uv_sphere(12);
-        for (auto& vertex : exact.vertices) vertex = scale * vertex + centre;
+        for (auto& vertex : exact.vertices)
+            vertex = scale * Vector3<double>{vertex.x, vertex.y, flat * vertex.z} + centre;
         return convert<T>(exact);
     }
 
     /// From inside at a vertex, one in four, or at a point of an edge.
     Ray<T> aimed(Rng& rng) const {
-        const Vector3<T> origin(centre + 0.3 * scale * in_cube(rng));
+        const Vector3<T> origin(centre + 0.3 * scale * Vector3<double>{1, 1, flat} * in_cube(rng));
         const auto   triangle = mesh.triangle(std::size_t(rng.uniform<double>() * double(mesh.faces.size())));
         const double u        = rng.uniform() < 0.25F ? 0 : rng.uniform<double>();
         const Vector3<double> a(triangle.a), b(triangle.b);
@@ -121,10 +119,10 @@ bool textbook_hits(const Mesh<float>& mesh, const Ray<float>& ray) {
 }  // namespace
 
 TEST_CASE("S10 a ray at a shared edge passes between the textbook's triangles, not between watertight ones") {
-    check_rate(percent_leaking<float>({}, textbook), 5.458);
-    check_rate(percent_leaking<float>({.offset = 100}, textbook), 0.036);
-    check_rate(percent_leaking<float>({.height = 1e-3}, textbook), 5.347);
-    check_rate(percent_leaking<double>({}, textbook), 4.877);
+    CHECK(within_factor_3(percent_leaking<float>({}, textbook), 5.458));
+    CHECK(within_factor_3(percent_leaking<float>({.offset = 100}, textbook), 0.036));
+    CHECK(within_factor_3(percent_leaking<float>({.height = 1e-3}, textbook), 5.347));
+    CHECK(within_factor_3(percent_leaking<double>({}, textbook), 4.877));
     for (const Pairs& pairs : {Pairs{}, {.offset = 100}, {.height = 1e-3}}) {
         CHECK(percent_leaking<float>(pairs, watertight) == 0);
         CHECK(percent_leaking<double>(pairs, watertight) == 0);
@@ -141,23 +139,31 @@ TEST_CASE("S11 rays aimed at edges leave the textbook's closed sphere, random on
             aimed += textbook_hits(globe.mesh, globe.aimed(rng)) ? 0 : 1;
             random += textbook_hits(globe.mesh, globe.anywhere(rng)) ? 0 : 1;
         }
-        check_rate(100.0 * aimed / rays, offset == 0 ? 11.638 : 12.265);
+        CHECK(within_factor_3(100.0 * aimed / rays, offset == 0 ? 11.638 : 12.265));
         CHECK(random == 0);
     }
 }
 
-TEST_CASE_TEMPLATE("S11 of a million rays aimed at edges and vertices none leaves the watertight sphere", T,
+TEST_CASE_TEMPLATE("S11 of a million rays aimed at edges and vertices none leaves a watertight mesh", T,
                    float, double) {
-    for (const double scale : {1.0, 1e-4, 1e4}) {
-        for (const double offset : {0.0, 100.0}) {
-            const Globe<T>     globe{scale, Vector3<double>(offset)};
-            const Hierarchy<T> hierarchy(globe.mesh);
-            Rng                rng{12, 0, 0, 0};
-            int                lost = 0;
-            for (int i = 0; i < 90'000; ++i) lost += hierarchy.nearest(globe.aimed(rng)) ? 0 : 1;
-            CAPTURE(scale);
-            CAPTURE(offset);
-            CHECK(lost == 0);
+    int rays = 0;
+    for (const double flat : {1.0, 0.01}) {
+        for (const double scale : {1.0, 1e-4, 1e4}) {
+            for (const double offset : {0.0, 100.0}) {
+                // A mesh of which rounding leaves nothing is closed all the same, but has no inside.
+                if (flat * scale < 1e-3 && offset > 0) continue;
+                const Globe<T>     globe{scale, Vector3<double>(offset), flat};
+                const Hierarchy<T> hierarchy(globe.mesh);
+                Rng                rng{12, 0, 0, 0};
+                int                lost = 0;
+                for (int i = 0; i < 100'000; ++i) lost += hierarchy.nearest(globe.aimed(rng)) ? 0 : 1;
+                rays += 100'000;
+                CAPTURE(flat);
+                CAPTURE(scale);
+                CAPTURE(offset);
+                CHECK(lost == 0);
+            }
         }
     }
+    CHECK(rays >= 1'000'000);
 }
