@@ -26,7 +26,7 @@ void weights(course::Chapter& chapter) {
     chapter.section("3.1 The weights of a point");
     auto diagram = chapter.diagram("weights", "A point of a triangle, by the weights of its vertices");
     draw_weights(diagram);
-    diagram.caption("The weight $b_1$ is the share of the red area, $b_2$ that of the blue one.");
+    diagram.caption("The weight $b_1$ is the share of the orange area, $b_2$ that of the blue one.");
 
     const Triangle<double> triangle{{0, 0, 1}, {3, 0, 2}, {1, 4, -1}};
     const auto             p     = 0.25 * triangle.a + 0.25 * triangle.b + 0.5 * triangle.c;
@@ -187,11 +187,13 @@ void hardly_a_triangle(course::Chapter& chapter) {
     chapter.claim_at_most("3.7 error of a needle's area by Kahan, at the worst of the shapes",
                           worst(needles, "Kahan"), 1e-7);
 
-    const float ax = 1.0001F, by = 0.9999F, product = ax * by;
-    chapter.claim("3.7 the component of a cross product, plainly", {.measured = double(1 - product)});
-    chapter.claim("3.7 the component of a cross product, by Kahan",
+    const float ax = 1.0001F, ay = 1, bx = 1,
+                by   = 0.9999F;  // a_x b_y - a_y b_x, the third component of a x b
+    const float left = ax * by, right = ay * bx;
+    chapter.claim("3.7 the component of a cross product, plainly", {.measured = double(left - right)});
+    chapter.claim("3.7 the component of a cross product, by Kahan, negated",
                   {.expected  = 1.00033e-8,
-                   .measured  = double(difference_of_products(1.0F, 1.0F, ax, by)),
+                   .measured  = -double(difference_of_products(ax, by, ay, bx)),
                    .tolerance = 0.5e-13});
 }
 

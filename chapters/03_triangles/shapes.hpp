@@ -142,8 +142,8 @@ inline constexpr auto watertight = []<class T>(const Triangle<T>& triangle, cons
         chart.add("float, local", distance, missed(0.0F, true));
     }
     chart.caption(
-        "What the watertight test is given has been rounded before it begins: in local coordinates nothing "
-        "has.");
+        "What the watertight test is given has been rounded before it begins: in local coordinates where "
+        "numbers are fine, and nothing is lost.");
     return chart;
 }
 
