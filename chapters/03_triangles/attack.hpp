@@ -74,6 +74,11 @@ struct Aim {
     double          u;
 };
 
+/// Of a share [%] that was counted over so many rays [%].
+[[nodiscard]] inline double standard_error(double percent, std::size_t rays) {
+    return std::sqrt(percent * (100 - percent) / double(rays));
+}
+
 enum class At { edges, vertices };
 
 /// The ray of this number: it has to hit one of the faces around the edge's ends.

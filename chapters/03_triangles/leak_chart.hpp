@@ -1,29 +1,63 @@
 #pragma once
 /// @file leak_chart.hpp
-/// Time against leaks, and against the error of t.
+/// Figure 3.5: leaks against time.
 
-#include <cmath>
+#include <fmt/format.h>
+
+#include <array>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "course/chapter.hpp"
+#include "math/extremes.hpp"
 #include "race.hpp"
 
 namespace sr {
 
-[[nodiscard]] inline course::Axes race_axes(const std::string& error, course::axis log) {
-    course::Axes axes{.x = "time for a test [ns]", .y = error, .log = log};
-    axes.columns       = course::speed_accuracy({"precision", "place", "leaks", "t_error", "ns_per_test"});
-    axes.columns.x     = "ns_per_test";
-    axes.columns.y     = "error";
-    axes.columns.error = "error_se";
+/// Of one method in T, what became of its rays in all placements.
+struct Leaks {
+    Running percent;  ///< of the rays that leak, a value for each placement
+    double  least = 100, most = 0;
+    double  t_error = 0;  ///< the largest mean of |t - 1|
+
+    void add(double rate, double error) {
+        percent.add(rate);
+        least   = min_or_nan(least, rate);
+        most    = max_or_nan(most, rate);
+        t_error = max_or_nan(t_error, error);
+    }
+};
+
+/// Attacks the sphere's edges with these rays in all placements, by all methods.
+template <std::floating_point T>
+[[nodiscard]] std::array<Leaks, method_count> leaks_of(const Target& sphere, const Image<Aim>& aims,
+                                                       const TileLoop& loop) {
+    std::array<Leaks, method_count> leaks;
+    for (const auto& place : placements) {
+        const auto rates  = leak_rates<T>(sphere, place, aims, loop);
+        const auto errors = t_errors<T>(place);
+        for (std::size_t i = 0; i < method_count; ++i) leaks[i].add(rates[i], errors[i].mean());
+    }
+    return leaks;
+}
+
+/// A point for each method and precision, and a bar from its fastest run to its slowest.
+[[nodiscard]] inline course::Axes race_axes() {
+    course::Axes axes{.x = "rays that leak [%]", .y = "time for a test [ns]"};
+    axes.columns =
+        course::speed_accuracy({"point", "precision", "least", "most", "t_error", "ns", "ns_min", "ns_max"});
+    axes.columns.series = "point";
+    axes.columns.x      = "error";
+    axes.columns.y      = "ns";
+    axes.columns.error  = "";
+    axes.columns.min    = "ns_min";
+    axes.columns.max    = "ns_max";
     return axes;
 }
 
-/// Attacks the sphere's edges with these rays, times all methods, and fills both charts, a row for each method,
-/// precision and place. A test's time is the same in all places.
-inline void race(course::Chart leaks, course::Chart errors, const Target& sphere, const Image<Aim>& aims,
+/// Times all methods, and fills the chart. A test's time is the same in all places.
+inline void race(course::Chart chart, const Target& sphere, const Image<Aim>& aims,
                  const course::Options& options) {
     const bool                draft = options.quality == course::Quality::draft;
     const int                 rays  = draft ? 100 : 2000;
@@ -35,26 +69,24 @@ inline void race(course::Chart leaks, course::Chart errors, const Target& sphere
     const auto timings = course::measure(work, draft ? 1 : 7);
 
     const auto add = [&]<class T>(T, std::size_t first) {
-        for (const auto& place : placements) {
-            const auto   rates = leak_rates<T>(sphere, place, aims, {.threads = options.threads});
-            const auto   wrong = t_errors<T>(place);
-            const double n     = double(aims.pixels().size());
-            for (std::size_t i = 0; i < method_count; ++i) {
-                const auto&  timing = timings[first + i];
-                const double share = rates[i] / 100, se = std::sqrt(share * (1 - share) / n);
-                const auto   row = [&](double error, double error_se) {
-                    return std::vector<course::Cell>{
-                        timing.name,       tests,      timing.median, error,    error_se,
-                        precision_name<T>, place.name, share,         wrong[i], timing.median / tests * 1e9};
-                };
-                leaks.row(row(share, se));
-                errors.row(row(wrong[i], 0));
-            }
+        const auto leaks = leaks_of<T>(sphere, aims, {.threads = options.threads});
+        for (std::size_t i = 0; i < method_count; ++i) {
+            const auto& [name, median, min, max]       = timings[first + i];
+            const auto [percent, least, most, t_error] = leaks[i];
+            // of one placement: the rays are the same in all of them
+            const double se = standard_error(percent.mean(), aims.pixels().size());
+            const double ns = 1e9 / tests;
+            chart.row({name, tests, median, percent.mean(), se,
+                       fmt::format("{}, {}", name, precision_name<T>), precision_name<T>, least, most,
+                       t_error, ns * median, ns * min, ns * max});
         }
     };
     add(0.0F, 0);
     add(0.0, method_count);
     if (!(kept > 0)) throw std::logic_error("no ray of the race hit the sphere");
+    chart.caption(
+        "Leaks: the mean of three places. Times: the median of the runs, and bars from the fastest to the "
+        "slowest.");
 }
 
 }  // namespace sr

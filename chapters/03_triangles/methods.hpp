@@ -53,7 +53,7 @@ struct Watertight {
 /// The same as it was published.
 template <std::floating_point T>
 struct Published {
-    static constexpr const char* name = "watertight, as published";
+    static constexpr const char* name = "as published";
     using ReadyTriangle               = Triangle<T>;
     using ReadyRay                    = PublishedRay<T>;
     static std::optional<Hit<T>> intersect(const ReadyTriangle& triangle, const ReadyRay& ray,

@@ -2,6 +2,7 @@
 /// @file race.hpp
 /// What each method costs, and how exact its t is.
 
+#include <array>
 #include <cmath>
 #include <concepts>
 #include <string>
@@ -11,6 +12,7 @@
 #include "course/timing.hpp"
 #include "leaks.hpp"
 #include "methods.hpp"
+#include "statistics/running.hpp"
 
 namespace sr {
 
@@ -60,22 +62,21 @@ void ask_all(const std::vector<typename Method::ReadyTriangle>& triangles, const
     }
 }
 
-/// Of the sphere: the mean of |t - 1| over rays whose t is 1, for each method.
+/// Of each method, in the order of `for_each_method`, |t - 1|.
+using ErrorsOfT = std::array<Running, method_count>;
+
+/// On the sphere, of rays whose t is 1.
 template <std::floating_point T>
-[[nodiscard]] LeakRates t_errors(const Placement& place) {
+[[nodiscard]] ErrorsOfT t_errors(const Placement& place) {
     const auto  exact = sphere_on_grid<T>();
     const auto  mesh  = placed<T>(exact, place);
     const auto  rays  = exact_rays<T>(exact, place, 1000);
-    LeakRates   errors{};
+    ErrorsOfT   errors;
     std::size_t number = 0;
     for_each_method<T>([&]<class Method>(Method) {
-        double sum  = 0;
-        int    hits = 0;
-        ask_all<Method>(made_ready<Method>(mesh), rays, [&](const Hit<T>& hit) {
-            sum += std::abs(double(hit.t) - 1);
-            ++hits;
-        });
-        errors[number++] = sum / hits;
+        auto& of_method = errors[number++];
+        ask_all<Method>(made_ready<Method>(mesh), rays,
+                        [&](const Hit<T>& hit) { of_method.add(std::abs(double(hit.t) - 1)); });
     });
     return errors;
 }

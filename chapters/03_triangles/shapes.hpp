@@ -71,7 +71,7 @@ inline constexpr auto watertight = []<class T>(const Triangle<T>& triangle, cons
     return TriangleRay<T>(ray).intersect(triangle, in_front<T>);
 };
 
-/// Figure 3.7: which triangles an absolute epsilon loses.
+/// Figure 3.6: which triangles an absolute epsilon loses.
 [[nodiscard]] inline course::Chart chart_small_triangles(course::Chapter& chapter) {
     auto chart =
         chapter.chart("small_triangles", "Rays at triangles of all sizes, in float",
@@ -97,7 +97,7 @@ inline constexpr auto watertight = []<class T>(const Triangle<T>& triangle, cons
     return chart;
 }
 
-/// Figure 3.8: the area of a needle from its sides: the mean relative error of isosceles ones.
+/// Figure 3.7: the area of a needle from its sides: the mean relative error of isosceles ones.
 [[nodiscard]] inline course::Chart chart_needles(course::Chapter& chapter) {
     auto chart = chapter.chart(
         "needles", "Area of a needle from its three sides, in float",
@@ -123,7 +123,7 @@ inline constexpr auto watertight = []<class T>(const Triangle<T>& triangle, cons
     return chart;
 }
 
-/// Figure 3.9: rays at random points of triangles that stand ever farther from the origin.
+/// Figure 3.8: rays at random points of triangles that stand ever farther from the origin.
 [[nodiscard]] inline course::Chart chart_far_away(course::Chapter& chapter) {
     auto       chart = chapter.chart("far_away", "Triangles of size 1 far from the origin",
                                      {.x   = "distance [sizes of the triangle]",
