@@ -79,7 +79,7 @@ private:
 };
 
 /// Figure 3.2: how a ray slips between two triangles, and why it can't if both see the same vertices.
-inline void draw_slit(const course::Diagram& diagram) {
+inline void draw_slit(course::Diagram diagram) {
     EdgePanel alone(diagram, 0);
     alone.triangles({-0.4, 0}, {0.4, 0});
     alone.title("each triangle rounds the edge");
@@ -88,6 +88,9 @@ inline void draw_slit(const course::Diagram& diagram) {
     together.triangles({0.4, 0.1}, {0.4, 0.1});
     together.title("the ray rounds the vertices");
     together.ray({3.13, 1.1}, "on one of the two");
+    diagram.label({7.7, 5.4}, "the edge as it is", course::Anchor::centre);
+    diagram.arrow({5.8, 5.4}, {3.62, 5.07}, {course::Ink::black, course::Weight::thin});
+    diagram.arrow({9.6, 5.4}, {12.18, 5.07}, {course::Ink::black, course::Weight::thin});
 }
 
 }  // namespace sr
