@@ -12,6 +12,7 @@
 #include "course/chapter.hpp"
 #include "geometry/area_of_sides.hpp"
 #include "geometry/triangle.hpp"
+#include "statistics/running.hpp"
 #include "textbook.hpp"
 
 namespace sr {
@@ -67,33 +68,50 @@ template <std::floating_point T>
     return intersect(Triangle<T>{in(a), in(b), in(c)}, ray).has_value();
 }
 
+/// Axes of means, or of shares, with their standard errors.
+[[nodiscard]] inline course::Axes with_error(course::Axes axes) {
+    axes.columns = {.headers = {"series", axes.x, axes.y, "standard_error"},
+                    .series  = "series",
+                    .x       = axes.x,
+                    .y       = axes.y,
+                    .error   = "standard_error"};
+    return axes;
+}
+
 inline constexpr auto watertight = []<class T>(const Triangle<T>& triangle, const Ray<T>& ray) {
     return TriangleRay<T>(ray).intersect(triangle, in_front<T>);
 };
 
+/// So many rays at triangles of each size, and at each distance.
+inline constexpr int small_triangles = 4000, far_triangles = 20'000;
+
 /// Figure 3.6: which triangles an absolute epsilon loses.
 [[nodiscard]] inline course::Chart chart_small_triangles(course::Chapter& chapter) {
-    auto chart =
-        chapter.chart("small_triangles", "Rays at triangles of all sizes, in float",
-                      {.x = "size of the triangles", .y = "triangles missed [%]", .log = course::axis::x});
-    const auto shots  = random_shots(4000);
-    const auto missed = [&](double size, const auto& intersect) {
-        return percent_missed(shots,
-                              [&](const Shot& s) { return is_hit<float>(s, {.scale = size}, intersect); });
+    auto chart = chapter.chart(
+        "small_triangles", "Rays at triangles of all sizes, in float",
+        with_error({.x = "size of the triangles", .y = "triangles missed [%]", .log = course::axis::x}));
+    const auto shots = random_shots(small_triangles);
+    const auto add   = [&](const std::string& name, double size, const auto& intersect) {
+        const double missed = percent_missed(
+              shots, [&](const Shot& s) { return is_hit<float>(s, {.scale = size}, intersect); });
+        chart.add(name, size, missed, {standard_error(missed, shots.size())});
+        return missed;
     };
-    for (int tenths = -60; tenths <= 4; tenths += 2) {
-        const double size = std::pow(10.0, tenths / 10.0);
-        for (const auto& [name, epsilon] : {std::pair{"epsilon $10^{-3}$", 1e-3F},
-                                            {"epsilon $10^{-6}$", 1e-6F},
-                                            {"epsilon $10^{-8}$", 1e-8F}}) {
-            chart.add(name, size, missed(size, [&](const Triangle<float>& triangle, const Ray<float>& ray) {
-                          return textbook::intersect(triangle, ray, in_front<float>, epsilon);
-                      }));
+    const auto size_of = [](int fifth) { return std::pow(10.0, fifth / 5.0); };
+    for (const auto& [name, epsilon] : {std::pair{"epsilon $10^{-3}$", 1e-3F},
+                                        {"epsilon $10^{-6}$", 1e-6F},
+                                        {"epsilon $10^{-8}$", 1e-8F}}) {
+        const auto textbook = [&](const Triangle<float>& triangle, const Ray<float>& ray) {
+            return textbook::intersect(triangle, ray, in_front<float>, epsilon);
+        };
+        for (int fifth = -30; fifth <= 2 && add(name, size_of(fifth), textbook) > 0; ++fifth) {
         }
-        chart.add("no epsilon", size, missed(size, watertight));
     }
+    for (int fifth = -30; fifth <= 2; ++fifth) add("no epsilon", size_of(fifth), watertight);
     chart.caption(
-        "A determinant has the unit of an area: comparing it with a number makes small triangles vanish.");
+        "A determinant has the unit of an area: comparing it with a number makes small triangles vanish. A "
+        "curve "
+        "ends where nothing is missed any more.");
     return chart;
 }
 
@@ -101,21 +119,21 @@ inline constexpr auto watertight = []<class T>(const Triangle<T>& triangle, cons
 [[nodiscard]] inline course::Chart chart_needles(course::Chapter& chapter) {
     auto chart = chapter.chart(
         "needles", "Area of a needle from its three sides, in float",
-        {.x = "short side / long side", .y = "relative error of the area", .log = course::axis::xy});
+        with_error(
+            {.x = "short side / long side", .y = "relative error of the area", .log = course::axis::xy}));
     for (int quarters = 0; quarters >= -28; --quarters) {
-        const double  ratio = std::pow(10.0, quarters / 4.0);
-        double        heron = 0, kahan = 0;
-        constexpr int needles = 500;
-        for (int i = 0; i < needles; ++i) {
+        const double ratio = std::pow(10.0, quarters / 4.0);
+        Running      heron, kahan;
+        for (int i = 0; i < 500; ++i) {
             Rng          rng{7, 0, 0, i};
             const float  a = 1 + rng.uniform(), c = a * float(ratio) * (1 - 0.2F * rng.uniform());
             // c/2 sqrt(a^2 - c^2/4), in double
             const double right = c / 2.0 * std::sqrt((a - c / 2.0) * (a + c / 2.0));
-            heron += std::abs(textbook::heron(a, a, c) / right - 1) / needles;
-            kahan += std::abs(area_of_sides(a, a, c) / right - 1) / needles;
+            heron.add(std::abs(textbook::heron(a, a, c) / right - 1));
+            kahan.add(std::abs(area_of_sides(a, a, c) / right - 1));
         }
-        chart.add("Heron", ratio, heron);
-        chart.add("Kahan", ratio, kahan);
+        chart.add("Heron", ratio, heron.mean(), {heron.standard_error()});
+        chart.add("Kahan", ratio, kahan.mean(), {kahan.standard_error()});
     }
     chart.caption(
         "Heron's formula subtracts each side from a sum that has been rounded; Kahan's subtracts sides from "
@@ -126,20 +144,24 @@ inline constexpr auto watertight = []<class T>(const Triangle<T>& triangle, cons
 /// Figure 3.8: rays at random points of triangles that stand ever farther from the origin.
 [[nodiscard]] inline course::Chart chart_far_away(course::Chapter& chapter) {
     auto       chart = chapter.chart("far_away", "Triangles of size 1 far from the origin",
-                                     {.x   = "distance [sizes of the triangle]",
-                                      .y   = "rays that miss their triangle [%]",
-                                      .log = course::axis::xy});
-    const auto shots = random_shots(20'000);
+                                     with_error({.x   = "distance [sizes of the triangle]",
+                                                 .y   = "rays that miss their triangle [%]",
+                                                 .log = course::axis::xy}));
+    const auto shots = random_shots(far_triangles);
     for (int exponent = 0; exponent <= 14; ++exponent) {
         const double distance = std::pow(10.0, exponent / 2.0);
-        const auto   missed   = [&]<class T>(T, bool local) {
-            return percent_missed(shots, [&](const Shot& s) {
+        const auto   add      = [&]<class T>(T, const std::string& name, bool local) {
+            const double missed = percent_missed(shots, [&](const Shot& s) {
                 return is_hit<T>(s, {.distance = distance, .local = local}, watertight);
             });
+            chart.add(name, distance, missed, {standard_error(missed, shots.size())});
         };
-        chart.add("float, world", distance, missed(0.0F, false));
-        chart.add("double, world", distance, missed(0.0, false));
-        chart.add("float, local", distance, missed(0.0F, true));
+        add(0.0F, "float, world", false);
+        // Both at 0, in turns: neither hides the other.
+        if (exponent % 2 == 0)
+            add(0.0F, "float, local", true);
+        else
+            add(0.0, "double, world", false);
     }
     chart.caption(
         "What the watertight test is given has been rounded before it begins: in local coordinates where "
