@@ -1,5 +1,6 @@
 /// @file main.cpp
 /// Chapter 3, triangles: one small system of equations, solved in three ways, and what becomes of each at an edge.
+/// `./course figures 03 --size 288 --publish` makes published pictures that are small files.
 
 #include <fmt/format.h>
 
@@ -211,8 +212,7 @@ void meshes(course::Chapter& chapter, const Target& sphere, const Target& pot) {
 
 int main(int argc, char** argv) {
     using namespace sr;
-    const course::Defaults defaults{.size = {128, 288, 1024}};  // 288: a picture that is published is small
-    return course::run(argc, argv, "03_triangles", "Triangles", defaults, [](course::Chapter& chapter) {
+    return course::run(argc, argv, "03_triangles", "Triangles", [](course::Chapter& chapter) {
         const auto sphere = sphere_from_inside();
         const auto pot    = teapot_from_outside();
         weights(chapter);
