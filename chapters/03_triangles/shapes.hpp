@@ -148,20 +148,20 @@ inline constexpr int small_triangles = 4000, far_triangles = 20'000;
                                                  .y   = "rays that miss their triangle [%]",
                                                  .log = course::axis::xy}));
     const auto shots = random_shots(far_triangles);
-    for (int exponent = 0; exponent <= 14; ++exponent) {
-        const double distance = std::pow(10.0, exponent / 2.0);
+    for (int exponent = 0; exponent <= 28; ++exponent) {
+        const double distance = std::pow(10.0, exponent / 4.0);
         const auto   add      = [&]<class T>(T, const std::string& name, bool local) {
             const double missed = percent_missed(shots, [&](const Shot& s) {
                 return is_hit<T>(s, {.distance = distance, .local = local}, watertight);
             });
             chart.add(name, distance, missed, {standard_error(missed, shots.size())});
         };
-        add(0.0F, "float, world", false);
-        // Both at 0, in turns: neither hides the other.
-        if (exponent % 2 == 0)
+        if (exponent % 2 == 0) {
+            add(0.0F, "float, world", false);
             add(0.0F, "float, local", true);
-        else
+        } else {  // in turns: both are at 0, and neither hides the other
             add(0.0, "double, world", false);
+        }
     }
     chart.caption(
         "What the watertight test is given has been rounded before it begins: in local coordinates where "
