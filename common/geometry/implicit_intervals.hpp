@@ -31,7 +31,8 @@ template <std::floating_point T, ImplicitSurface<T> Surface>
 
 /// The first root of f(o + t d) in `range` by interval arithmetic. Pieces of the ray of which nothing is proved are
 /// halved, the nearer half first, equation (2.9). No root is missed, simple or not, whatever the rounding: what is
-/// left in doubt at the least width counts as one.
+/// left in doubt at the least width counts as one, and so does the first place in doubt after 65536 pieces. A place
+/// where f is infinite or no number is no root.
 /// @param width  in units of t, at which a piece in doubt is taken for a root: where the ray grazes the surface, or
 ///               passes it so near that rounding does not tell
 /// @pre   range.min >= 0
@@ -61,6 +62,8 @@ template <std::floating_point T, ImplicitSurface<T> Surface>
             return middle;
         }
     }
+    // Up to here it is proved that there is no root, and beyond nobody has looked.
+    if (count > 0 && std::isfinite(f(waiting[count - 1].min))) return waiting[count - 1].min;
     return std::nullopt;
 }
 

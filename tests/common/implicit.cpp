@@ -91,6 +91,15 @@ struct SquaredSphere {
     Box<double> bounds() const { return {Vector3<double>(-1.5), Vector3<double>(1.5)}; }
 };
 
+/// A plane at x = 4, written so that intervals of it are ten million times as wide as they need be.
+struct HardlyAPlane {
+    template <class Number>
+    auto f(const Number& x, const Number&, const Number&) const {
+        return square(x) - square(x) + (x - 4.0) * 1e-7;
+    }
+    Box<double> bounds() const { return {Vector3<double>(0), Vector3<double>(8)}; }
+};
+
 }  // namespace
 
 TEST_CASE_TEMPLATE("G4 roots of torus and ellipsoid are those of their closed forms", T, float, double) {
@@ -114,6 +123,15 @@ TEST_CASE("G4 a double root is found by intervals and by the polynomial, and los
     CHECK(std::abs(bisect_intervals(twice, axis, all, 1e-9).value_or(0) - 2) <= 1e-6);
     CHECK(std::abs(sphere_trace(twice, axis, all, lipschitz_bound(twice, twice.bounds()), 1e-6).value_or(0) -
                    2) <= 0.02);
+}
+
+TEST_CASE("intervals that give up say where, and that is not behind the root") {
+    const Ray<double> ray{{-1, 2, 2}, {1, 0, 0}};
+    const auto        doubt = bisect_intervals(HardlyAPlane{}, ray, in_front<double>, 1e-12);
+    REQUIRE(doubt);
+    CHECK(*doubt > 1);
+    CHECK(*doubt <= 5);
+    CHECK(std::abs(march(HardlyAPlane{}, ray, in_front<double>, 0.3).value_or(0) - 5) <= 1e-6);
 }
 
 TEST_CASE("the t of a direction of any length counts in that length") {
