@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "each_ray.hpp"
+#include "estimate.hpp"
 #include "geometry/ray.hpp"
 #include "geometry/sphere.hpp"
 #include "math/extremes.hpp"
@@ -32,8 +33,9 @@ template <std::floating_point T>
 
 /// What rounding did to rays: to whether they hit, and to where.
 struct HitErrors {
-    double wrong   = 0;  ///< hits and misses taken for each other [% of the rays]
-    double worst_t = 0;  ///< of the true hits that were found [radii]
+    double wrong    = 0;  ///< hits and misses taken for each other [% of the rays]
+    double wrong_se = 0;  ///< its standard error
+    double worst_t  = 0;  ///< of the true hits that were found [radii]
 };
 
 /// Compares `method` (crossings, or textbook_crossings) with the exact answer on rays of unit length from so many
@@ -60,7 +62,8 @@ template <std::floating_point T, class Method>
         wrong += outcome.wrong ? 1 : 0;
         worst = max_or_nan(worst, outcome.error);
     }
-    return {100.0 * wrong / rays, worst};
+    const Estimate of_all = percent(share(wrong, outcomes.size()));
+    return {of_all.value, of_all.error, worst};
 }
 
 }  // namespace sr

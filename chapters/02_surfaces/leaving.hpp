@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "each_ray.hpp"
+#include "estimate.hpp"
 #include "geometry/offset.hpp"
 #include "geometry/ray.hpp"
 #include "geometry/sphere.hpp"
@@ -25,6 +26,11 @@ struct Launch {
 /// (2.17) one number for all scenes
 [[nodiscard]] inline Launch by_fixed_epsilon(const SurfacePoint<float>& p, const Vec3& direction) {
     return {{p.position, direction}, {1e-4F, in_front<float>.max}};
+}
+
+/// Every hit in front counts: what an epsilon does best that is as small as can be
+[[nodiscard]] inline Launch by_no_epsilon(const SurfacePoint<float>& p, const Vec3& direction) {
+    return {{p.position, direction}, in_front<float>};
 }
 
 /// (2.17) in proportion to the coordinates
@@ -48,8 +54,10 @@ enum class Spread { uniform, cosine };
 
 /// Rays that hit the surface they leave, and rays into the sphere that miss its other side [% of each].
 struct LeavingErrors {
-    double self_hits = 0;
-    double lost      = 0;
+    double self_hits    = 0;
+    double lost         = 0;
+    double self_hits_se = 0;  ///< their standard errors
+    double lost_se      = 0;
 };
 
 /// Rays leave a sphere of so large a radius around (7, 5, 3) radii, half of them outwards and half inwards.
@@ -78,7 +86,9 @@ template <class Method>
         self_hits += outcome.self_hit ? 1 : 0;
         lost += outcome.lost ? 1 : 0;
     }
-    return {100.0 * self_hits / rays, 100.0 * lost / rays};
+    const Estimate self = percent(share(self_hits, outcomes.size())),
+                   gone = percent(share(lost, outcomes.size()));
+    return {self.value, gone.value, self.error, gone.error};
 }
 
 }  // namespace sr

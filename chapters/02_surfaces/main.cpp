@@ -12,6 +12,7 @@
 #include "along_a_ray.hpp"
 #include "any_surface.hpp"
 #include "course/chapter.hpp"
+#include "estimate.hpp"
 #include "far_sphere.hpp"
 #include "geometry/plane.hpp"
 #include "geometry/sphere.hpp"
@@ -67,31 +68,34 @@ void claim_wrong(course::Chapter& chapter, const course::Chart& wrong) {
 /// 2.3  How far away can a sphere be before the school formula loses it?
 void sphere_at_a_distance(course::Chapter& chapter) {
     chapter.section("2.3 The sphere, and how the school formula loses it");
-    const std::string x = "distance [radii]";
-    auto              wrong =
-        chapter.chart("sphere_at_a_distance", "A unit sphere, seen from far away",
-                      {.x = x, .y = "wrong hits and misses [% of the rays]", .log = course::axis::xy});
-    auto       worst = chapter.chart("sphere_t_error", "The same rays: how far off is a hit?",
-                                     {.x = x, .y = "largest error of $t$ [radii]", .log = course::axis::xy});
-    const auto add   = [&]<class T>(const std::string& name, T, const auto& method) {
+    const std::string x        = "distance [radii]";
+    auto              wrong    = chapter.chart("sphere_at_a_distance", "A unit sphere, seen from far away",
+                                               axes_with_error(x, "wrong hits and misses [% of the rays]"));
+    auto              worst    = chapter.chart("sphere_t_error", "The same rays: how far off is a hit?",
+                                               {.x = x, .y = "largest error of $t$ [radii]", .log = course::axis::xy});
+    double            wrong_se = 0;
+    const auto        race     = [&]<class T>(const std::string& name, T, const auto& method) {
         for (double distance = 10; distance <= 1e9; distance *= 10) {
             const auto errors = far_sphere<T>(distance, rays, chapter.options().threads, method);
-            wrong.add(name, distance, errors.wrong);
+            add(wrong, name, distance, {errors.wrong, errors.wrong_se});
             worst.add(name, distance, errors.worst_t);
+            wrong_se = max_or_nan(wrong_se, errors.wrong_se);
         }
     };
     const auto school = [](const auto& sphere, const auto& ray) { return textbook_crossings(sphere, ray); };
     const auto cured  = [](const auto& sphere, const auto& ray) { return crossings(sphere, ray); };
-    add("school, float", 0.0F, school);
-    add("cured, float", 0.0F, cured);
-    add("school, double", 0.0, school);
-    add("cured, double", 0.0, cured);
+    race("school, float", 0.0F, school);
+    race("cured, float", 0.0F, cured);
+    race("school, double", 0.0, school);
+    race("cured, double", 0.0, cured);
     wrong.caption(
         "The cure (2.5) buys three orders of magnitude of distance in float; in double it errs nowhere "
         "here.");
     worst.caption("An error of 1 is a radius: the hit may as well be on the other side.");
 
     claim_wrong(chapter, wrong);
+    chapter.claim("2.3 the largest standard error of the wrong rays [%]",
+                  {.expected = 0.16, .measured = wrong_se, .tolerance = 0.005});
     double worst_in_double = 0;
     for (double distance = 10; distance <= 1e9; distance *= 10)
         worst_in_double = max_or_nan(worst_in_double, wrong.at("cured, double", distance));
@@ -106,29 +110,35 @@ void sphere_at_a_distance(course::Chapter& chapter) {
 /// 2.7  What is under somebody's feet who stands on a planet?
 void standing_on_a_planet(course::Chapter& chapter) {
     chapter.section("2.7 Standing on a planet");
-    auto chart = chapter.chart(
-        "planet", "Looking down from a height of 1, in float",
-        {.x = "radius of the planet", .y = "error of $t$ [% of $t$], median", .log = course::axis::xy});
-    const auto add = [&](const std::string& name, Place place, const auto& method) {
+    auto       chart = chapter.chart("planet", "Looking down from a height of 1, in float",
+                                     axes_with_error("radius of the planet", "error of $t$ [% of $t$], median"));
+    const auto stand = [&](const std::string& name, Place place, const auto& method) {
         for (float radius = 10; radius <= 1e7F; radius *= 10)
-            chart.add(name, radius,
-                      median_error_on_planet(radius, place, rays / 5, chapter.options().threads, method));
+            add(chart, name, radius,
+                median_error_on_planet(radius, place, rays / 5, chapter.options().threads, method));
+    };
+    const auto plain = [](const auto& sphere, const auto& ray) {
+        return ground_below(sphere, ray, PlainConstant{});
     };
     const auto factored = [](const auto& sphere, const auto& ray) {
         return ground_below(sphere, ray, FactoredConstant{});
     };
     const auto cured = [](const auto& sphere, const auto& ray) { return crossings(sphere, ray)->first; };
-    add("school", Place::anywhere, ground_below_at_school);
-    add("factored (2.15), anywhere", Place::anywhere, factored);
-    add("factored (2.15), at a pole", Place::pole, factored);
-    add("with all digits (2.16), anywhere", Place::anywhere, cured);
+    stand("school", Place::anywhere, ground_below_at_school);
+    stand("(2.5), plain constant, anywhere", Place::anywhere, plain);
+    stand("factored (2.15), anywhere", Place::anywhere, factored);
+    stand("factored (2.15), at a pole", Place::pole, factored);
+    stand("with all digits (2.16), anywhere", Place::anywhere, cured);
     chart.caption(
         "A length is rounded, too: factored, the constant term is right where one coordinate is the height.");
 
-    for (const auto& [series, radius, expected, digit] : {std::tuple{"school", 1e5, 0.19, 0.01},
-                                                          {"school", 1e7, 19, 1},
-                                                          {"factored (2.15), anywhere", 1e5, 0.21, 0.01},
-                                                          {"factored (2.15), anywhere", 1e7, 26, 1}}) {
+    for (const auto& [series, radius, expected, digit] :
+         {std::tuple{"school", 1e5, 0.19, 0.01},
+          {"school", 1e7, 19, 1},
+          {"(2.5), plain constant, anywhere", 1e5, 0.15, 0.01},
+          {"(2.5), plain constant, anywhere", 1e7, 14, 1},
+          {"factored (2.15), anywhere", 1e5, 0.21, 0.01},
+          {"factored (2.15), anywhere", 1e7, 26, 1}}) {
         chapter.claim(fmt::format("2.7 {}: median error of t at a radius of {:.0e} [%]", series, radius),
                       {.expected = expected, .measured = chart.at(series, radius), .tolerance = digit / 2});
     }
@@ -162,28 +172,39 @@ void claim_leaving(course::Chapter& chapter, const course::Chart& self, const co
     }
     claim("scaled epsilon: self-hits in 10 000 rays", 3, scaled_self, 0.5);
     claim("scaled epsilon: lost hits in 10 000 rays", 2, scaled_lost, 0.5);
+    const auto of_scaled =
+        leaving_errors(1, Spread::uniform, rays, chapter.options().threads, by_scaled_epsilon);
+    claim("scaled epsilon: standard error of self-hits in 10 000 rays", 0.5, 1e2 * of_scaled.self_hits_se,
+          0.05);
+    claim("scaled epsilon: standard error of lost hits in 10 000 rays", 0.5, 1e2 * of_scaled.lost_se, 0.05);
+    double no_epsilon_lost = 0;
+    for (const double radius : radii)
+        no_epsilon_lost +=
+            1e2 / double(radii.size()) *
+            leaving_errors(radius, Spread::uniform, rays, chapter.options().threads, by_no_epsilon).lost;
+    claim("no epsilon: lost hits in 10 000 rays", 2, no_epsilon_lost, 0.5);
     claim("error bound: self-hits and lost hits at the worst of the radii [%]", 0, bound_worst, 0);
 }
 
 /// 2.8  Where does a ray start that leaves a surface?
 void leaving_a_surface(course::Chapter& chapter) {
     chapter.section("2.8 Leaving a surface");
-    const std::string x    = "radius of the sphere";
-    auto              self = chapter.chart("leaving_self_hits", "Rays that leave a sphere outwards",
-                                           {.x = x, .y = "rays that meet what they leave [%]", .log = course::axis::xy});
-    auto              lost = chapter.chart("leaving_lost_hits", "Rays that leave it inwards",
-                                           {.x = x, .y = "rays that miss the other side [%]", .log = course::axis::xy});
-    const auto        add  = [&](const std::string& name, const auto& method) {
+    const std::string x      = "radius of the sphere";
+    auto              self   = chapter.chart("leaving_self_hits", "Rays that leave a sphere outwards",
+                                             axes_with_error(x, "rays that meet what they leave [%]"));
+    auto              lost   = chapter.chart("leaving_lost_hits", "Rays that leave it inwards",
+                                             axes_with_error(x, "rays that miss the other side [%]"));
+    const auto        launch = [&](const std::string& name, const auto& method) {
         for (const double radius : radii) {
             const auto errors =
                 leaving_errors(radius, Spread::uniform, rays, chapter.options().threads, method);
-            self.add(name, radius, errors.self_hits);
-            lost.add(name, radius, errors.lost);
+            add(self, name, radius, {errors.self_hits, errors.self_hits_se});
+            add(lost, name, radius, {errors.lost, errors.lost_se});
         }
     };
-    add(fixed, by_fixed_epsilon);
-    add(scaled, by_scaled_epsilon);
-    add(bound, by_error_bound);
+    launch(fixed, by_fixed_epsilon);
+    launch(scaled, by_scaled_epsilon);
+    launch(bound, by_error_bound);
     self.caption("Half of the points that rounding finds on a sphere lie inside it.");
     lost.caption("An epsilon skips the near end of short chords; a point outside lets grazing rays pass by.");
     claim_leaving(chapter, self, lost);

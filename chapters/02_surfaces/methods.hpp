@@ -2,7 +2,6 @@
 /// @file methods.hpp
 /// The ways to find a ray's first root against the clock and against the truth, for the charts of section 2.5.
 
-#include <algorithm>
 #include <cmath>
 #include <concepts>
 #include <functional>
@@ -12,6 +11,7 @@
 #include <vector>
 
 #include "course/chapter.hpp"
+#include "estimate.hpp"
 #include "geometry/implicit_closed_form.hpp"
 #include "geometry/implicit_intervals.hpp"
 #include "geometry/implicit_marching.hpp"
@@ -32,12 +32,10 @@ struct Method {
 
 /// What a method got wrong, of random rays.
 struct Score {
-    double missed   = 0;  ///< the first root [share of all rays]
-    double invented = 0;  ///< a root where there is none [share of all rays]
-    double t_error  = 0;  ///< of the first roots that it found, the median [length]
-    double wrong_se = 0;  ///< standard error of missed + invented
-
-    [[nodiscard]] double wrong() const { return missed + invented; }
+    double   missed   = 0;   ///< the first root [share of all rays]
+    double   invented = 0;   ///< a root where there is none, or before the first one [share of all rays]
+    Estimate wrong    = {};  ///< missed + invented
+    Estimate t_error  = {};  ///< of the first roots that it found, the median [length]
 };
 
 /// Random rays towards a surface, in float, and where in truth they meet it first.
@@ -64,7 +62,7 @@ public:
         std::vector<double> errors;
         for (std::size_t i = 0; i < rays_.size(); ++i) {
             const auto& truth = truth_[i];
-            if (!truth) {
+            if (!truth || (found[i] && *found[i] < *truth - another_root)) {
                 invented += found[i] ? 1 : 0;
             } else if (!found[i] || *found[i] > *truth + another_root) {
                 ++missed;
@@ -72,15 +70,14 @@ public:
                 errors.push_back(std::abs(*found[i] - *truth));
             }
         }
-        const double n = double(rays_.size()), p = (missed + invented + 1) / (n + 2);  // as Laplace: never 0
-        const auto   middle = errors.begin() + std::ptrdiff_t(errors.size() / 2);
-        std::nth_element(errors.begin(), middle, errors.end());
-        return {missed / n, invented / n, *middle, std::sqrt(p * (1 - p) / n)};
+        const double n = double(rays_.size());
+        return {missed / n, invented / n, share(missed + invented, rays_.size()), median(errors)};
     }
 
 private:
-    static constexpr double another_root =
-        0.02;  // [length], farther from the first one than any charted tolerance
+    // [length] What is farther from the first root is not that root known badly, but another one, or none. It is
+    // three times the widest piece that intervals are left in doubt about.
+    static constexpr double another_root = 0.3;
 
     /// From a sphere of radius 6 to a point of the box, with a direction of length 1: t is a length.
     static Ray<float> towards(const Box<float>& box, Rng rng) {

@@ -40,21 +40,23 @@ struct Lap {
     return laps;
 }
 
-/// Axes of a chart of the laps; `y` is one of its columns.
+/// Axes of a chart of the laps; `column` is what is drawn, and `column`_se its standard error.
 [[nodiscard]] inline course::Axes lap_axes(const std::string& column, const std::string& y) {
     course::Axes axes{.x = "time for a ray, one thread [ns]", .y = y, .log = course::axis::xy};
-    axes.columns   = course::speed_accuracy({"missed", "invented", "t_error", "ns_per_ray", "percent_wrong"});
-    axes.columns.x = "ns_per_ray";
-    axes.columns.y = column;
-    axes.columns.error = "";
+    axes.columns = course::speed_accuracy(
+        {"missed", "invented", "t_error", "t_error_se", "ns_per_ray", "percent_wrong", "percent_wrong_se"});
+    axes.columns.x     = "ns_per_ray";
+    axes.columns.y     = column;
+    axes.columns.error = column + "_se";
     return axes;
 }
 
 /// A chart of the laps: what is wrong, or t.
 inline void chart_laps(course::Chart chart, const std::vector<Lap>& laps) {
     for (const auto& [method, score, seconds] : laps)
-        chart.row({method.name, method.effort, seconds, score.wrong(), score.wrong_se, score.missed,
-                   score.invented, score.t_error, 1e9 * seconds, 100 * score.wrong()});
+        chart.row({method.name, method.effort, seconds, score.wrong.value, score.wrong.error, score.missed,
+                   score.invented, score.t_error.value, score.t_error.error, 1e9 * seconds,
+                   percent(score.wrong).value, percent(score.wrong).error});
 }
 
 /// The lap of a method at an effort.

@@ -1,13 +1,12 @@
 #pragma once
 /// @file planet.hpp
-/// Somebody stands on a sphere and looks down: three ways to know how high above the ground he is.
+/// Somebody stands on a sphere and looks down: four ways to know how high above the ground he is.
 
-#include <algorithm>
 #include <cmath>
 #include <concepts>
-#include <vector>
 
 #include "each_ray.hpp"
+#include "estimate.hpp"
 #include "geometry/ray.hpp"
 #include "geometry/sphere.hpp"
 #include "math/difference_of_squares.hpp"
@@ -61,10 +60,10 @@ enum class Place { pole, anywhere };
 
 /// The median of |t / true t - 1| [%] over rays within 60 degrees of straight down, from a height of 1.
 template <class Method>
-[[nodiscard]] double median_error_on_planet(float radius, Place place, int rays, int threads,
-                                            const Method& method) {
+[[nodiscard]] Estimate median_error_on_planet(float radius, Place place, int rays, int threads,
+                                              const Method& method) {
     const Sphere<float> planet{{0, 0, 0}, radius};
-    auto                errors = each_ray(rays, threads, [&](int i) {
+    const auto          errors = each_ray(rays, threads, [&](int i) {
         Rng  rng{2, i, 0, 0};
         Vec3 up{0, 0, 1};
         if (place == Place::anywhere) up = normalize(in_unit_ball<float>(rng));
@@ -77,8 +76,7 @@ template <class Method>
         const double         exact = ground_below(exact_planet, exact_ray, CompensatedConstant{});
         return std::abs(double(method(planet, ray)) / exact - 1);
     });
-    std::nth_element(errors.begin(), errors.begin() + std::ssize(errors) / 2, errors.end());
-    return 100 * errors[errors.size() / 2];
+    return percent(median(errors));
 }
 
 }  // namespace sr

@@ -82,7 +82,7 @@ TEST_CASE("S3: on a planet the ground is lost, at a pole until s^2 - r^2 is fact
           Row{1e7F, 9.4, 16}}) {
         CAPTURE(radius);
         const auto error = [r = radius](Place place, const auto& method) {
-            return median_error_on_planet(r, place, 10'000, 2, method);
+            return median_error_on_planet(r, place, 10'000, 2, method).value;
         };
         const auto with = [](const auto& constant) {
             return [=](const auto& sphere, const auto& ray) { return ground_below(sphere, ray, constant); };
