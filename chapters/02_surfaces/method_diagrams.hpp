@@ -2,6 +2,8 @@
 /// @file method_diagrams.hpp
 /// The drawings of section 2.4: three ways to look for a root, at work. All that they show is computed.
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -13,15 +15,16 @@
 #include "geometry/implicit_marching.hpp"
 #include "geometry/implicit_sphere_tracing.hpp"
 #include "geometry/implicit_torus.hpp"
+#include "geometry/sphere.hpp"
 #include "loose_bounds.hpp"
 
 namespace sr {
 
-/// A circle's outline on paper.
-[[nodiscard]] inline std::vector<course::Point> circle(course::Point centre, double radius) {
+/// A circle's outline on paper, from an angle [rad] on.
+[[nodiscard]] inline std::vector<course::Point> circle(course::Point centre, double radius, double from = 0) {
     std::vector<course::Point> outline;
     for (int i = 0; i < 72; ++i) {
-        const double angle = 2 * std::numbers::pi * i / 72;
+        const double angle = from + 2 * std::numbers::pi * i / 72;
         outline.push_back(centre + radius * course::Point{std::cos(angle), std::sin(angle)});
     }
     return outline;
@@ -32,19 +35,31 @@ namespace sr {
     return {ray.at(t).x, ray.at(t).y};
 }
 
+/// The ring between two circles, as one outline: it is cut where the level ray leaves the ring, so that the ray hides
+/// the cut.
+[[nodiscard]] inline std::vector<course::Point> ring_cut_by(const Ray<double>& ray, double inner,
+                                                            double outer) {
+    const auto from = [&](double radius) {
+        const auto leaves = crossings(Sphere<double>{{0, 0, 0}, radius}, ray);
+        const auto p      = on_paper(ray, leaves ? leaves->second : 0);
+        return circle({0, 0}, radius, std::atan2(p.y, p.x));
+    };
+    auto       wall = from(outer);
+    const auto hole = from(inner);
+    wall.push_back(wall.front());
+    wall.push_back(hole.front());
+    wall.insert(wall.end(), hole.rbegin(), hole.rend());
+    return wall;
+}
+
 /// Fixed steps through a thin ring: they step over its near side, and find the far one.
 inline void draw_marching(course::Diagram diagram) {
     using course::Ink;
     const LooseBounds<Torus<double>, double> ring{{1.5, 0.1}, 4};
-    const Ray<double>                        ray{{-3.24, -0.42, 0}, {1, 0.1, 0}};
+    const Ray<double>                        ray{{-3.35, -0.431, 0}, {1, 0.1, 0}};
     constexpr double                         step = 0.4;
 
-    auto       wall = circle({0, 0}, 1.6);
-    const auto hole = circle({0, 0}, 1.4);
-    wall.push_back(wall.front());
-    wall.push_back(hole.front());
-    wall.insert(wall.end(), hole.rbegin(), hole.rend());
-    diagram.polygon(wall, {Ink::grey, course::Weight::thin}, 0.3);
+    diagram.polygon(ring_cut_by(ray, 1.4, 1.6), {Ink::grey, course::Weight::thin}, 0.3);
     diagram.line(on_paper(ray, 0), on_paper(ray, 6.3), {Ink::black, course::Weight::thin});
     const auto found = march(ring, ray, in_front<double>, step).value_or(0);
     const auto first = bisect_intervals(ring, ray, in_front<double>, 1e-9).value_or(0);
@@ -70,15 +85,19 @@ inline void draw_sphere_tracing(course::Diagram diagram) {
 
     diagram.polygon(circle({0, 0}, 1), {Ink::grey}, 0.3);
     diagram.line(on_paper(ray, 0), on_paper(ray, 7), {Ink::black, course::Weight::thin});
-    for (double t = 0, radius = 1; radius > 0.03; t += radius) {
+    for (double t = 0, radius = 1; radius > 0.004; t += radius) {
         radius = std::abs(on_ray(sphere, ray, t)) / bound;
         diagram.polygon(circle(on_paper(ray, t), radius), {Ink::blue}, 0.06);
         diagram.point(on_paper(ray, t), {Ink::blue});
     }
     const double root = sphere_trace(sphere, ray, in_front<double>, bound, 1e-9).value_or(0);
     diagram.point(on_paper(ray, root), {Ink::green});
-    diagram.arrow({-5, -1.6}, {2.6, -1.6}, {Ink::vermilion});
-    diagram.label({-1.2, -1.95}, "$f$ taken for the distance: a step of 24, far beyond",
+    // The step is longer than the paper: its arrow is broken.
+    diagram.line({-5, -1.6}, {0.4, -1.6}, {Ink::vermilion});
+    diagram.arrow({0.6, -1.6}, {2.6, -1.6}, {Ink::vermilion});
+    for (const double x : {0.4, 0.6}) diagram.line({x - 0.06, -1.75}, {x + 0.06, -1.45}, {Ink::vermilion});
+    diagram.label({-1.2, -1.95},
+                  fmt::format("$f$ taken for the distance: a step of {:.1f}", on_ray(sphere, ray, 0.0)),
                   course::Anchor::centre, Ink::vermilion);
     diagram.label({-5, 1.5}, "no root within $f/L$", course::Anchor::centre, Ink::blue);
     diagram.label({-0.45, 0.95}, "the hit", course::Anchor::right, Ink::green);
