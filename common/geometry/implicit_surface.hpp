@@ -28,7 +28,7 @@ concept ImplicitSurface = requires(const Surface surface, T x, Interval<T> range
     { surface.bounds() } -> std::same_as<Box<T>>;
 };
 
-/// f(o + t d), equation (2.6), for t of any number type.
+/// f(o + t d), equation (2.1), for t of any number type.
 template <class Surface, std::floating_point T, class Number>
 [[nodiscard]] auto on_ray(const Surface& surface, const Ray<T>& ray, const Number& t) {
     const auto& o = ray.origin;
