@@ -173,7 +173,7 @@ void claim_leaving(course::Chapter& chapter, const course::Chart& self, const co
     claim("scaled epsilon: self-hits in 10 000 rays", 3, scaled_self, 0.5);
     claim("scaled epsilon: lost hits in 10 000 rays", 2, scaled_lost, 0.5);
     const auto of_scaled =
-        leaving_errors(1, Spread::uniform, rays, chapter.options().threads, by_scaled_epsilon);
+        leaving_errors(10, Spread::uniform, rays, chapter.options().threads, by_scaled_epsilon);
     claim("scaled epsilon: standard error of self-hits in 10 000 rays", 0.5, 1e2 * of_scaled.self_hits_se,
           0.05);
     claim("scaled epsilon: standard error of lost hits in 10 000 rays", 0.5, 1e2 * of_scaled.lost_se, 0.05);
