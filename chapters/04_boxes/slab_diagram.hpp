@@ -36,6 +36,8 @@ private:
 
     [[nodiscard]] Point at(Point p) const { return {left_ + p.x, p.y}; }
     [[nodiscard]] Point on_ray(double t) const { return at(origin + t * direction_); }
+    /// On the axis of t or above it: straight below the ray's point.
+    [[nodiscard]] Point below_ray(double t, double y) const { return {on_ray(t).x, y}; }
 
     /// (4.1) of the planes of one slab.
     [[nodiscard]] Interval<double> between(double Point::*axis) const {
@@ -53,8 +55,8 @@ private:
         area({0, low.y}, {width, high.y}, y_ink, 0.12);
         diagram_.polygon({at(low), at({high.x, low.y}), at(high), at({low.x, high.y})},
                          {course::Ink::black, course::Weight::thick});
-        diagram_.label(at({high.x - 0.1, 0.3}), "$x$ slab", course::Anchor::right, x_ink);
-        diagram_.label(at({width - 0.1, low.y + 0.3}), "$y$ slab", course::Anchor::right, y_ink);
+        diagram_.label(at({high.x + 0.15, 0.3}), "$x$ slab", course::Anchor::left, x_ink);
+        diagram_.label(at({width + 0.15, (low.y + high.y) / 2}), "$y$ slab", course::Anchor::left, y_ink);
     }
 
     void draw_ray(double end) {
@@ -69,8 +71,8 @@ private:
     }
 
     void bar(Interval<double> interval, double y, course::Ink ink, const std::string& name) {
-        const double from = std::min(interval.min, width), to = std::min(interval.max, width);
-        diagram_.polygon({at({from, y - 0.13}), at({to, y - 0.13}), at({to, y + 0.13}), at({from, y + 0.13})},
+        const double from = on_ray(interval.min).x, to = std::min(on_ray(interval.max).x, left_ + width);
+        diagram_.polygon({{from, y - 0.13}, {to, y - 0.13}, {to, y + 0.13}, {from, y + 0.13}},
                          {ink, course::Weight::thin}, 0.6);
         diagram_.label(at({-0.15, y}), name, course::Anchor::right, ink);
     }
@@ -80,16 +82,19 @@ private:
         const Interval<double> both{std::max(x.min, y.min), std::min(x.max, y.max)};
         diagram_.arrow(at({0, time_axis}), at({width + 0.3, time_axis}));
         diagram_.label(at({width + 0.4, time_axis}), "$t$");
+        diagram_.line(below_ray(0, time_axis - 0.12), below_ray(0, time_axis + 0.12));
+        diagram_.label(below_ray(0, time_axis - 0.4), "0", course::Anchor::centre);
         bar(x, time_axis + 2.3, x_ink, "$x$");
         bar(y, time_axis + 1.6, y_ink, "$y$");
         for (const double t : {both.min, both.max})
-            diagram_.line(at({t, time_axis}), at({t, time_axis + 2.6}),
+            diagram_.line(below_ray(t, time_axis), on_ray(t),
                           {course::Ink::grey, course::Weight::thin, true});
         if (!both.empty()) bar(both, time_axis + 0.7, box_ink, "box");
         const bool hit = !both.empty();
-        diagram_.label(at({hit ? both.min : both.max, time_axis - 0.4}), hit ? "last entry" : "first exit",
-                       course::Anchor::right);
-        diagram_.label(at({hit ? both.max : both.min, time_axis - 0.4}), hit ? "first exit" : "last entry");
+        diagram_.label(below_ray(hit ? both.min : both.max, time_axis - 0.4),
+                       hit ? "last entry" : "first exit", course::Anchor::right);
+        diagram_.label(below_ray(hit ? both.max : both.min, time_axis - 0.4),
+                       hit ? "first exit" : "last entry");
     }
 
     course::Diagram diagram_;
