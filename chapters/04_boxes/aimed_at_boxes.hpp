@@ -4,6 +4,8 @@
 
 #include <array>
 #include <atomic>
+#include <cmath>
+#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -55,6 +57,12 @@ struct AimedRay {
 struct LostHits {
     std::vector<double> padded;  ///< with exits lengthened by each of some paddings
     double              core;    ///< by BoxRay
+    int                 hits;    ///< how many true hits there were
+
+    /// Of one of the shares; 0 where nothing was lost.
+    [[nodiscard]] double standard_error(std::size_t padding) const {
+        return std::sqrt(padded[padding] * (100 - padded[padding]) / hits);
+    }
 };
 
 /// Counts who misses what; any number of threads may ask.
@@ -64,6 +72,7 @@ public:
     explicit LossCounter(std::vector<double> paddings)
         : paddings_(std::move(paddings)), lost_(paddings_.size()) {}
 
+    /// The products with paddings between two floats are compared in double.
     /// @pre the ray does hit the box
     void count(const Ray<float>& ray, const Box<float>& box) {
         ++truly_;
@@ -74,7 +83,7 @@ public:
             if (!(double(plain.min) <= double(plain.max) * paddings_[i])) ++lost_[i];
     }
     [[nodiscard]] LostHits percent() const {
-        LostHits result{{}, 100.0 * by_core_ / truly_};
+        LostHits result{{}, 100.0 * by_core_ / truly_, truly_};
         for (const auto& lost : lost_) result.padded.push_back(100.0 * lost / truly_);
         return result;
     }

@@ -3,6 +3,7 @@
 /// Section 4.4: what lines from everywhere see of convex bodies, against what is known.
 
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -44,8 +45,8 @@ struct Nested {
 };
 [[nodiscard]] inline std::vector<Nested> nested_bodies() {
     const auto cube = box_body("cube", {1, 1, 1});
-    return {{box_body("needle", {0.02, 0.02, 1}), cube},
-            {box_body("small sheet", {0.02, 0.5, 0.5}), cube},
+    return {{box_body("card", {0.02, 0.5, 0.5}), cube},
+            {box_body("stick", {0.2, 0.2, 1}), cube},
             {box_body("small cube", {0.5, 0.5, 0.5}), cube},
             {box_body("sheet", {0.01, 1, 1}), cube},
             {ball_body(0.5), cube},
@@ -54,8 +55,17 @@ struct Nested {
             {box_body("slab", {0.6, 1, 1}), cube}};
 }
 
-/// Figure 4.3. @return the worst deviation of lines from everywhere [standard errors]
-[[nodiscard]] inline double chart_chances(course::Chapter& chapter, const Draw& draw) {
+/// The eye of figure 4.3, outside the cube [-1/2, 1/2]^3.
+inline const Vector3<double> one_eye{0.9, 0.4, 0.3};
+
+/// What figure 4.3 has of lines from everywhere: the shares by the inner body, and the worst deviation of them all.
+struct Chances {
+    std::map<std::string, Running> share;
+    double                         worst = 0;  ///< [standard errors]
+};
+
+/// Figure 4.3: lines from everywhere on the diagonal, and a point for each body as the eye sees it.
+[[nodiscard]] inline Chances chart_chances(course::Chapter& chapter, const Draw& draw) {
     auto chart = chapter.chart(
         "chances", "Lines that meet a body meet another one inside it",
         {.x       = "$S_{\\mathrm{inner}} / S_{\\mathrm{outer}}$",
@@ -65,20 +75,26 @@ struct Nested {
                      .x       = "ratio",
                      .y       = "share",
                      .error   = "standard_error"}});
-    double worst = 0;
-    for (const auto& [inner, outer] : nested_bodies()) {
-        const double ratio = inner.surface / outer.surface;
-        const auto   all   = measure_nested(inner, outer, draw);
-        const auto   eye   = measure_nested(inner, outer, draw, Vector3<double>{0.9, 0.4, 0.3});
-        worst              = max_or_nan(worst, standard_errors_off(all, ratio));
-        chart.row({"from everywhere", ratio, all.mean(), all.standard_error(), inner.name, outer.name});
-        chart.row({"from one eye", ratio, eye.mean(), eye.standard_error(), inner.name, outer.name});
+    Chances    chances;
+    const auto add = [&](const std::string& series, const Nested& pair, const Running& met) {
+        chart.row({series, pair.inner.surface / pair.outer.surface, met.mean(), met.standard_error(),
+                   pair.inner.name, pair.outer.name});
+    };
+    for (const auto& pair : nested_bodies()) {
+        const auto& [inner, outer] = pair;
+        const auto met             = measure_nested(inner, outer, draw);
+        const auto from_eye        = measure_nested(inner, outer, draw, one_eye);
+        add("from everywhere", pair, met);
+        add(outer.name == "ball" ? inner.name + " in a ball" : inner.name, pair, from_eye);
+        chances.worst = max_or_nan(chances.worst, standard_errors_off(met, inner.surface / outer.surface));
+        chances.share.emplace(inner.name, met);
     }
     chart.caption(
-        "Needle, sheets, cubes, a ball and a tetrahedron in a cube; a cube in a ball. Lines from everywhere "
-        "lie on "
-        "the diagonal, within bars of one standard error that are smaller than the marks.");
-    return worst;
+        "Lines from everywhere lie on the diagonal (4.8). The points with names: bodies in a cube, and the "
+        "cube in a "
+        "ball, as seen from one eye outside the cube. Bars of one standard error are smaller than the "
+        "marks.");
+    return chances;
 }
 
 }  // namespace sr

@@ -51,19 +51,29 @@ namespace sr {
     return {linear(0), linear(1), linear(2)};
 }
 
-/// The counts as colours, and below them the scale: a bar from 0 to `most`, with a notch for each `notch` nodes.
-[[nodiscard]] inline Image<Spectrum> in_colour(const Image<WalkCount>& counts, int most, int notch) {
+/// Which numbers of nodes have which colours. They follow the square root of the number: most pixels ask few.
+struct NodeScale {
+    int most;   ///< from here on, the last colour
+    int notch;  ///< of the scale below the picture
+
+    [[nodiscard]] Spectrum operator()(double nodes) const { return heat(std::sqrt(nodes / most)); }
+    /// How many nodes stand at a share of the scale's length.
+    [[nodiscard]] double   at(double share) const { return most * share * share; }
+};
+
+/// The counts as colours, and below them the scale: a bar from 0 to `most`, with its notches.
+[[nodiscard]] inline Image<Spectrum> in_colour(const Image<WalkCount>& counts, const NodeScale& scale) {
     const int       width = counts.width(), bar = std::max(8, width / 24);
     Image<Spectrum> film(width, counts.height() + bar);
     for (int y = 0; y < counts.height(); ++y) {
-        for (int x = 0; x < width; ++x) film(x, y) = heat(double(counts(x, y).nodes) / most);
+        for (int x = 0; x < width; ++x) film(x, y) = scale(double(counts(x, y).nodes));
     }
     for (int x = 0; x < width; ++x) {
-        const double here = double(most) * x / width, next = double(most) * (x + 1) / width;
-        const bool   notched = x > 0 && std::floor(here / notch) < std::floor(next / notch);
+        const double here = scale.at(double(x) / width), next = scale.at(double(x + 1) / width);
+        const bool   notched = x > 0 && std::floor(here / scale.notch) < std::floor(next / scale.notch);
         for (int y = 0; y < bar; ++y)
             film(x, counts.height() + y) =
-                y < 2 || (notched && y < bar / 2) ? Spectrum{1, 1, 1} : heat(here / most);
+                y < 2 || (notched && y < bar / 2) ? Spectrum{1, 1, 1} : scale(here);
     }
     return film;
 }

@@ -10,8 +10,8 @@ using namespace sr::test;
 
 TEST_CASE("chapter 4: claims and text agree, figures have their data, renders do not depend on threads") {
     const ChapterRuns runs("04_boxes", "--size 64");
-    // The example, the lamp, how many rays, and the teapots.
-    runs.check_claims({2.5, 0.5, 0.75, 548.8, 100'000, 16'256, 261'632});
+    // The example, the lamp, how many rays, the eye, and the teapots.
+    runs.check_claims({2.5, 0.5, 0.75, 548.8, 100'000, 0.9, 0.4, 0.3, 16'256, 261'632});
     runs.check_renders(3);
 
     for (const std::string name : {"hierarchy", "build"}) {
@@ -21,7 +21,8 @@ TEST_CASE("chapter 4: claims and text agree, figures have their data, renders do
             CHECK(row[3].number() == 0);  // no rung answers unlike brute force
         }
     }
-    runs.check_chart("lost_hits", {"series"}, 4 * 13);
+    // Three curves end where nothing is lost any more.
+    runs.check_chart("lost_hits", {"series", "units", "lost_percent", "standard_error"}, 3 * 4 + 13);
     runs.check_chart("chances", {"series", "ratio", "share", "standard_error"}, 2 * 8);
     for (const std::string drawing : {"slabs", "boxes"}) runs.check_chart(drawing, {"shape"}, 20);
 }
