@@ -24,6 +24,7 @@ namespace sr {
 struct Climb {
     std::string method;
     double      seconds, build_seconds;  ///< for a ray, for the hierarchy
+    double      fastest, slowest;        ///< of the runs, seconds for a ray
     double      error, error_se;         ///< share of rays that it answers unlike brute force
 };
 
@@ -57,6 +58,7 @@ public:
           draft_(options.quality == course::Quality::draft),
           rays_(rays_at(mesh_, draft_ ? 2000 : 40'000, options.seed)) {}
 
+    /// By each rung, by the core's choice, and last by asking all triangles.
     [[nodiscard]] std::vector<Climb> climb() const {
         const BruteForce<float>                      all(mesh_);
         std::vector<std::optional<Hierarchy<float>>> built(rungs.size() + 1);
@@ -71,12 +73,16 @@ public:
             work.push_back({name_of(i), [this, i, &built, &trace] { trace(*built[i], rays_.size()); }});
         }
         const auto         timings = course::measure(work, draft_ || mesh_.faces.size() > 300'000 ? 1 : 5);
-        std::vector<Climb> result{{"all triangles", timings[0].median / double(asked), 0, 0, 0}};
-        for (std::size_t i = 0; i < built.size(); ++i) {
-            const auto [error, error_se] = differing(all, *built[i], asked);
-            result.push_back({name_of(i), timings[2 + 2 * i].median / double(rays_.size()),
-                              timings[1 + 2 * i].median, error, error_se});
-        }
+        std::vector<Climb> result;
+        const auto         add = [&](const std::string& method, const course::Timing& rays, double count,
+                             double build_seconds, std::pair<double, double> error) {
+            result.push_back({method, rays.median / count, build_seconds, rays.min / count, rays.max / count,
+                              error.first, error.second});
+        };
+        for (std::size_t i = 0; i < built.size(); ++i)
+            add(name_of(i), timings[2 + 2 * i], double(rays_.size()), timings[1 + 2 * i].median,
+                differing(all, *built[i], asked));
+        add("all triangles", timings[0], double(asked), 0, {0, 0});
         if (hits == 0) throw std::logic_error("no ray of the ladder hit its mesh");
         return result;
     }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "balls.hpp"
+#include "border_chart.hpp"
 #include "box_diagram.hpp"
 #include "chances.hpp"
 #include "course/chapter.hpp"
@@ -215,6 +216,7 @@ void work_in_the_picture(course::Chapter& chapter) {
 void what_it_costs(course::Chapter& chapter) {
     chapter.section("4.7 When it pays");
     climb_the_ladder(chapter);
+    chart_border(chapter);
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ namespace sr {
 struct HierarchyOptions {
     Cut cut = Cut::binned;
 
-    /// So few triangles are asked one after the other: boxes would cost a ray more than they save. Figure 4.6
+    /// So few triangles are asked one after the other: boxes would cost a ray more than they save. Figure 4.8
     /// is where this number comes from.
     std::uint32_t asked_straight = 3;
 };

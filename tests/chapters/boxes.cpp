@@ -21,6 +21,10 @@ TEST_CASE("chapter 4: claims and text agree, figures have their data, renders do
             CHECK(row[3].number() == 0);  // no rung answers unlike brute force
         }
     }
+    for (const auto& row : runs.check_chart("rungs", {"method", "triangles", "gain"}, 4 * 13).rows)
+        CHECK(row[2].number() > 0);
+    for (const auto& row : runs.check_chart("border", {"method", "triangles", "gain"}, 4 * 10).rows)
+        CHECK(row[3].number() <= row[4].number());  // quartiles
     // Three curves end where nothing is lost any more.
     runs.check_chart("lost_hits", {"series", "units", "lost_percent", "standard_error"}, 3 * 4 + 13);
     runs.check_chart("chances", {"series", "ratio", "share", "standard_error"}, 2 * 8);
