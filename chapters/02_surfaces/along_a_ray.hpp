@@ -3,12 +3,12 @@
 /// Figure 2.1: a surface cut by a line, and its function along that line. Everything in it is computed.
 
 #include <cmath>
-#include <functional>
 #include <numbers>
 #include <string>
 #include <vector>
 
 #include "course/chapter.hpp"
+#include "math/bracketed_root.hpp"
 #include "math/vector.hpp"
 
 namespace sr {
@@ -34,23 +34,14 @@ struct BlobScene {
     [[nodiscard]] double along(double x) const { return f({x, origin.y}); }
 };
 
-/// Where a function changes its sign between two places at which it has different ones.
-[[nodiscard]] inline double sign_change(const std::function<double(double)>& f, double a, double b) {
-    const bool negative = f(a) < 0;
-    for (int i = 0; i < 50; ++i) {
-        const double middle                   = (a + b) / 2;
-        ((f(middle) < 0) == negative ? a : b) = middle;
-    }
-    return (a + b) / 2;
-}
-
 /// The x at which the line meets the surface, behind the origin and before it.
 [[nodiscard]] inline std::vector<double> hits(const BlobScene& scene) {
     const auto          f    = [&](double x) { return scene.along(x); };
     const double        step = 0.05;
     std::vector<double> result;
     for (double x = scene.begin; x < scene.end; x += step) {
-        if ((f(x) < 0) != (f(x + step) < 0)) result.push_back(sign_change(f, x, x + step));
+        if ((f(x) < 0) != (f(x + step) < 0))
+            result.push_back(bisect(f, Interval<double>{x, x + step}).value());
     }
     return result;
 }
@@ -63,7 +54,8 @@ inline void draw_blobs(course::Diagram diagram, const BlobScene& scene) {
             const auto   at    = [&, c = centre](double r) {
                 return c + r * Vector2<double>{std::cos(angle), std::sin(angle)};
             };
-            const auto p = at(sign_change([&](double r) { return scene.f(at(r)); }, 0, 1.7 * radius));
+            const auto f = [&](double r) { return scene.f(at(r)); };
+            const auto p = at(bisect(f, Interval<double>{0, 1.7 * radius}).value());
             outline.push_back({p.x, p.y});
         }
         diagram.polygon(outline, {course::Ink::green}, 0.25);

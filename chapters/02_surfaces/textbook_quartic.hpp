@@ -1,6 +1,7 @@
 #pragma once
 /// @file textbook_quartic.hpp
-/// Ferrari's formula for the roots of a quartic, as books give it: right, and of little use where the quartic is even about a point.
+/// Ferrari's formula for the roots of a quartic, as books give it: right, and of little use where the quartic is even
+/// about a point.
 
 #include <algorithm>
 #include <cmath>

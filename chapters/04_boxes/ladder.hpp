@@ -28,7 +28,7 @@ struct Climb {
     double      error, error_se;         ///< share of rays that it answers unlike brute force
 };
 
-/// Every so manieth face of a mesh.
+/// Every n-th face of a mesh.
 [[nodiscard]] inline Mesh<float> thinned(const Mesh<float>& mesh, std::size_t count) {
     Mesh<float> result{mesh.vertices, {}};
     for (std::size_t i = 0; i < count; ++i) result.faces.push_back(mesh.faces[i * mesh.faces.size() / count]);

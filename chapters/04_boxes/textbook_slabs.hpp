@@ -8,13 +8,9 @@
 #include <limits>
 
 #include "geometry/box.hpp"
+#include "math/interval_arithmetic.hpp"
 
 namespace sr {
-
-/// The whole line: t of both signs.
-template <std::floating_point T>
-inline constexpr Interval<T> whole_line{-std::numeric_limits<T>::infinity(),
-                                        std::numeric_limits<T>::infinity()};
 
 /// The three ways to write "the larger entry, the smaller exit"; they differ where one of two is NaN.
 enum class MinMax {

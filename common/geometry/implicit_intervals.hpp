@@ -35,7 +35,7 @@ template <std::floating_point T, ImplicitSurface<T> Surface>
 /// where f is infinite or no number is no root.
 /// @param width  in units of t, at which a piece in doubt is taken for a root: where the ray grazes the surface, or
 ///               passes it so near that rounding does not tell
-/// @pre   range.min >= 0
+/// @pre   width >= 0, range.min >= 0
 /// @see   Mitchell, Robust Ray Intersection with Interval Arithmetic, Graphics Interface 1990
 template <std::floating_point T, ImplicitSurface<T> Surface>
 [[nodiscard]] std::optional<T> bisect_intervals(const Surface& surface, const Ray<T>& ray, Interval<T> range,

@@ -10,8 +10,8 @@
 namespace sr {
 
 /// |v|^2 - r^2 as if computed with twice the digits and then rounded, so that its sign and its digits are right even
-/// where the two squares nearly agree, equation (2.16). (Barring underflow. Neither the plain expression nor (|v| - r)(|v| + r) can do this: the
-/// first rounds the squares, the second the length.)
+/// where the two squares nearly agree, equation (2.16); barring underflow. The plain expression rounds the squares, and
+/// (|v| - r)(|v| + r) the length.
 /// @see Ogita, Rump & Oishi, Accurate Sum and Dot Product, SIAM J. Sci. Comput. 26(6), 2005: Dot2
 template <std::floating_point T>
 [[nodiscard]] T difference_of_squares(const Vector3<T>& v, T r) {

@@ -12,6 +12,7 @@
 #include "scene/cornell_box.hpp"
 #include "scene/teapot.hpp"
 #include "transport/tiles.hpp"
+#include "vector_of.hpp"
 
 using namespace sr;
 
@@ -73,11 +74,6 @@ Mesh<T> terrible_mesh() {
         for (int twice = 0; twice < 2; ++twice) mesh.faces.push_back({3 * i, 3 * i + 1, 3 * i + 2});
     }
     return mesh;
-}
-
-Vec3 any_vector() {
-    const float x = *test::any_bits<float>(), y = *test::any_bits<float>(), z = *test::any_bits<float>();
-    return {x, y, z};
 }
 
 struct Differences {
@@ -233,10 +229,11 @@ TEST_CASE("laws of hierarchies: any bits as triangles and rays are answered as b
         Mesh<float> mesh;
         const auto  count = *rc::gen::inRange<std::uint32_t>(1, 20);
         for (std::uint32_t i = 0; i < count; ++i) {
-            for (int k = 0; k < 3; ++k) mesh.vertices.push_back(any_vector());
+            for (int k = 0; k < 3; ++k) mesh.vertices.push_back(test::vector_of(test::any_bits<float>()));
             mesh.faces.push_back({3 * i, 3 * i + 1, 3 * i + 2});
         }
-        const Ray<float> ray{any_vector(), any_vector()};
+        const Ray<float> ray{test::vector_of(test::any_bits<float>()),
+                             test::vector_of(test::any_bits<float>())};
         const auto       expected = BruteForce<float>(mesh).nearest(ray);
         RC_ASSERT(!expected || std::isfinite(expected->t));
         for (const Cut cut : {Cut::median, Cut::binned, Cut::swept}) {

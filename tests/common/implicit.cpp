@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "../../chapters/02_surfaces/squared_sphere.hpp"
 #include "geometry/implicit_closed_form.hpp"
 #include "geometry/implicit_ellipsoid.hpp"
 #include "geometry/implicit_hyperboloid.hpp"
@@ -19,6 +20,7 @@
 #include "geometry/implicit_torus.hpp"
 #include "law.hpp"
 #include "sampling/rng.hpp"
+#include "vector_of.hpp"
 
 using namespace sr;
 using namespace sr::test;
@@ -81,15 +83,6 @@ void for_each_surface(const Check& check) {
     check(Tanglecube<T>{});
     check(three_balls<T>());
 }
-
-/// A sphere's equation squared: each root is double, no sign ever changes.
-struct SquaredSphere {
-    template <class Number>
-    auto f(const Number& x, const Number& y, const Number& z) const {
-        return square(square(x) + square(y) + square(z) - 1.0);
-    }
-    Box<double> bounds() const { return {Vector3<double>(-1.5), Vector3<double>(1.5)}; }
-};
 
 /// A plane at x = 4, written so that intervals of it are ten million times as wide as they need be.
 struct HardlyAPlane {
@@ -248,12 +241,6 @@ TEST_CASE("intervals hold f and its derivative at every point of a piece, and so
 namespace {
 
 template <class T>
-Vector3<T> any_vector() {
-    const T x = *any_bits<T>(), y = *any_bits<T>(), z = *any_bits<T>();
-    return {x, y, z};
-}
-
-template <class T>
 void ends_with_a_finite_root(std::optional<T> root, Interval<T> range) {
     if (root) RC_ASSERT(std::isfinite(*root) && range.contains(*root));
 }
@@ -276,7 +263,7 @@ TEST_CASE_TEMPLATE("any bits as ray, surface and effort end with a finite root i
         [&] {
             const bool wild = *rc::gen::arbitrary<bool>();  // or only somewhat strange
             const auto any  = [&] {
-                return wild ? any_vector<T>() : Vector3<T>{*finite<T>(), *finite<T>(), 1};
+                return wild ? vector_of(any_bits<T>()) : Vector3<T>{*finite<T>(), *finite<T>(), 1};
             };
             const Ray<T>      ray{any(), any()};
             const T           a = std::abs(*any_bits<T>());

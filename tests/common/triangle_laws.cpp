@@ -11,6 +11,7 @@
 #include "geometry/triangle.hpp"
 #include "law.hpp"
 #include "sampling/rng.hpp"
+#include "vector_of.hpp"
 
 using namespace sr;
 using namespace sr::test;
@@ -18,21 +19,15 @@ using namespace sr::test;
 namespace {
 
 template <class T>
-Vector3<T> any_point() {
-    const T x = *finite<T>(), y = *finite<T>(), z = *finite<T>();
-    return {x, y, z};
-}
-
-template <class T>
 Triangle<T> any_triangle() {
-    const auto a = any_point<T>(), b = any_point<T>(), c = any_point<T>();
+    const auto a = vector_of(finite<T>()), b = vector_of(finite<T>()), c = vector_of(finite<T>());
     return {a, b, c};
 }
 
 /// A ray to a point of the triangle, as nearly as T says; half of them to one of an edge.
 template <class T>
 Ray<T> ray_at(const Triangle<T>& triangle) {
-    const auto origin = any_point<T>();
+    const auto origin = vector_of(finite<T>());
     const T    b1     = T(*rc::gen::inRange(0, 17)) / 16;
     const T    b2     = *rc::gen::arbitrary<bool>() ? T(0) : (1 - b1) * T(*rc::gen::inRange(0, 17)) / 16;
     return {origin, (1 - b1 - b2) * triangle.a + b1 * triangle.b + b2 * triangle.c - origin};
@@ -115,7 +110,8 @@ TEST_CASE_TEMPLATE("a line that enters a tetrahedron leaves it", T, float, doubl
     // Whatever the rounding: two faces that share an edge agree on which side of it the line passes. So the line can't
     // meet one face alone, not even of a tetrahedron that is flat, nor along a face or through a vertex.
     const auto tetrahedron = [] {
-        return std::array{any_point<T>(), any_point<T>(), any_point<T>(), any_point<T>()};
+        return std::array{vector_of(finite<T>()), vector_of(finite<T>()), vector_of(finite<T>()),
+                          vector_of(finite<T>())};
     };
     check_law("no line meets one face alone", [&] {
         const auto           p   = tetrahedron();

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "../../chapters/02_surfaces/differences.hpp"
+#include "../../chapters/02_surfaces/squared_sphere.hpp"
 #include "catalogue.hpp"
 #include "geometry/implicit_ellipsoid.hpp"
 #include "geometry/implicit_normal.hpp"
@@ -57,13 +58,6 @@ struct Cone {
     template <class Number>
     auto f(const Number& x, const Number& y, const Number& z) const {
         return square(x) + square(y) - square(z);
-    }
-};
-
-struct SquaredSphere {
-    template <class Number>
-    auto f(const Number& x, const Number& y, const Number& z) const {
-        return square(square(x) + square(y) + square(z) - 1.0);
     }
 };
 

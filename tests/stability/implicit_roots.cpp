@@ -9,6 +9,8 @@
 #include <limits>
 #include <utility>
 
+#include "../../chapters/02_surfaces/loose_bounds.hpp"
+#include "../../chapters/02_surfaces/squared_sphere.hpp"
 #include "../../chapters/02_surfaces/textbook_quartic.hpp"
 #include "catalogue.hpp"
 #include "geometry/implicit_closed_form.hpp"
@@ -27,13 +29,8 @@ namespace {
 
 constexpr double significance = 1e-4;
 
-/// A surface in bounds so wide that they don't tell where it is: steps begin anywhere.
-template <class Surface>
-struct Wide : Surface {
-    [[nodiscard]] Box<double> bounds() const { return {Vector3<double>(-6), Vector3<double>(6)}; }
-};
-
-const Wide<Ellipsoid<double>> sphere{{{1, 1, 1}}};
+/// The unit sphere in bounds so wide that they don't tell where it is: steps begin anywhere.
+const LooseBounds<Ellipsoid<double>, double> sphere{{{1, 1, 1}}, 6};
 
 /// A ray that does meet the unit sphere, on one of its uniformly distributed chords, and a start of any phase.
 struct Chord {
@@ -46,24 +43,6 @@ Chord random_chord(Rng& rng, double step) {
     const double phase = rng.uniform<double>();
     return {{{-2.5, b, 0}, {1, 0, 0}}, {step * phase, 100}};
 }
-
-/// The sphere's equation squared: two double roots on each chord.
-struct SquaredSphere {
-    template <class Number>
-    auto f(const Number& x, const Number& y, const Number& z) const {
-        return square(square(x) + square(y) + square(z) - 1.0);
-    }
-    Box<double> bounds() const { return {Vector3<double>(-6), Vector3<double>(6)}; }
-};
-
-/// f = |p|^2 - 1, which is no distance.
-struct AlgebraicSphere {
-    template <class Number>
-    auto f(const Number& x, const Number& y, const Number& z) const {
-        return square(x) + square(y) + square(z) - 1.0;
-    }
-    Box<double> bounds() const { return {Vector3<double>(-6), Vector3<double>(6)}; }
-};
 
 }  // namespace
 
@@ -96,8 +75,8 @@ TEST_CASE("S18: steps of 0.1 miss a ring of wire, and neither quartic nor interv
     constexpr int rays = 20'000;
     for (const auto& [tube, probability] : {std::pair{0.1, 0.0}, {0.01, 0.80}, {0.001, 0.98}}) {
         CAPTURE(tube);
-        const Wide<Torus<double>> ring{{1, tube}};
-        Rng                       rng{18, 0, 0, 0};
+        const LooseBounds<Torus<double>, double> ring{{1, tube}, 6};
+        Rng                                      rng{18, 0, 0, 0};
         int missed = 0, missed_by_formula = 0, missed_by_intervals = 0, missed_by_segments = 0;
         for (int i = 0; i < rays; ++i) {
             // Through the middle of the tube, at any angle around the axis.
@@ -128,7 +107,7 @@ TEST_CASE("S19: a double root changes no sign, however small the steps") {
     CHECK(least >= 0);
     CHECK(least <= 3 * 1.6e-9);
 
-    CHECK(march(AlgebraicSphere{}, axis, range, 0.1).value_or(0) == doctest::Approx(2).epsilon(1e-15));
+    CHECK(march(sphere, axis, range, 0.1).value_or(0) == doctest::Approx(2).epsilon(1e-15));
     CHECK(std::abs(solve(twice, axis, range).value_or(0) - 2) <= 1e-7);
     CHECK(std::abs(solve(twice, axis, {2.5, 6}).value_or(0) - 4) <= 1e-7);
     CHECK(std::abs(bisect_intervals(twice, axis, range, 1e-9).value_or(0) - 2) <= 1e-6);
@@ -148,9 +127,9 @@ TEST_CASE("a step that ends on the surface hides a root from those who multiply 
 TEST_CASE(
     "S20: a value of f taken for a distance leads through the surface, divided by a Lipschitz bound it never "
     "does") {
-    const AlgebraicSphere f;
-    const Ray<double>     axis{{-5, 0, 0}, {1, 0, 0}};
-    double                t = 0;
+    const auto&       f = sphere;  // |p|^2 - 1
+    const Ray<double> axis{{-5, 0, 0}, {1, 0, 0}};
+    double            t = 0;
     for (int i = 0; i < 2; ++i) t += on_ray(f, axis, t);  // 24, and then 360 more
     CHECK(t == 384.0);
 
