@@ -3,7 +3,7 @@
 /// A hierarchy of boxes over a mesh's triangles: which of them does a ray meet first?
 ///
 ///     const Hierarchy<float> hierarchy(mesh);
-///     if (const auto hit = hierarchy.nearest(ray)) shade(hit->face, hit->t);
+///     if (const auto hit = hierarchy.nearest(ray)) shade(surface_point(mesh.triangle(hit->face), hit->uv));
 ///     if (hierarchy.occluded(ray, {0, distance})) ...
 
 #include <concepts>

@@ -5,7 +5,10 @@
 ///
 ///     const SurfacePoint<float> p = surface_point(sphere, ray, t);
 ///     trace(leave(p, direction));                                   // from t = 0 on, without an epsilon
-///     const bool lit = !occluded(between(p, on_the_light), before_the_end<float>);
+///     const bool lit = !hierarchy.occluded(between(p, on_the_light), before_the_end<float>);
+///
+/// For spheres, planes and triangles. A hit of an implicit surface is not on it to rounding, and no SurfacePoint: it
+/// would first have to be brought back, by a step of f / |grad f|^2 along the gradient.
 
 #include <cmath>
 #include <concepts>
@@ -20,7 +23,7 @@
 
 namespace sr {
 
-/// A point on a surface as far as the type can tell. `normal` has length one and does not know where the ray came
+/// A point on a surface as far as the type can tell, which ray.at(t) is not. `normal` has length one and does not know where the ray came
 /// from: it is a sphere's outward one, a plane's own, that of a triangle's front.
 template <std::floating_point T>
 struct SurfacePoint {
