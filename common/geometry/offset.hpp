@@ -23,8 +23,8 @@
 
 namespace sr {
 
-/// A point on a surface as far as the type can tell, which ray.at(t) is not. `normal` has length one and does not know where the ray came
-/// from: it is a sphere's outward one, a plane's own, that of a triangle's front.
+/// A point on a surface as far as the type can tell, which ray.at(t) is not. `normal` has length one and does not
+/// know where the ray came from: it is a sphere's outward one, a plane's own, that of a triangle's front.
 template <std::floating_point T>
 struct SurfacePoint {
     Vector3<T> position;
