@@ -22,8 +22,8 @@ template <std::floating_point T>
 inline constexpr Sphere<T> unit_sphere{{0, 0, 0}, 1};
 
 /// The t at which the line enters the unit sphere, in long double: for rays in float or double, and as far away
-/// as they are here, with digits to spare. It is the same formula: only rounding is compared. That the formula is right,
-/// closed forms say (tests/common/sphere.cpp).
+/// as they are here, with digits to spare. It is the same formula: only rounding is compared. That the formula is
+/// right, closed forms say (tests/common/sphere.cpp).
 template <std::floating_point T>
 [[nodiscard]] std::optional<double> exact_entry(const Ray<T>& ray) {
     using Exact = long double;

@@ -16,8 +16,8 @@ namespace sr {
 /// A value counts as inside if it is negative and as outside if not, so that a step which ends on the surface is
 /// one of the two; with f f < 0 such a root is lost, since neither interval beside it changes the sign.
 /// @param step  in units of t; no more than 65536 steps are made
-/// @pre   step > 0; range.min >= 0, and large enough, where the ray starts on the surface, that it has left it by more than
-///        rounding
+/// @pre   step > 0; range.min >= 0, and large enough, where the ray starts on the surface, that it has left it by
+///        more than rounding
 template <std::floating_point T, ImplicitSurface<T> Surface>
 [[nodiscard]] std::optional<T> march(const Surface& surface, const Ray<T>& ray, Interval<T> range, T step) {
     const auto part = within_bounds(surface, ray, range);
