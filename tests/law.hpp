@@ -6,9 +6,10 @@
 ///             const double a = *finite<double>(), b = *finite<double>(), c = *finite<double>();
 ///             const auto roots = quadratic_roots(a, b, c);
 ///             RC_PRE(roots.has_value());
-///             RC_ASSERT(roots->min <= roots->max);
+///             RC_ASSERT(roots->first <= roots->second);
 ///         });
 ///     }
+/// RC_ASSERT takes a condition apart, and evaluates both sides of && and ||: such a one needs its own parentheses.
 
 #include <doctest/doctest.h>
 #include <rapidcheck.h>

@@ -87,7 +87,7 @@ TEST_CASE("a root lies in its bracket, and f changes its sign at it") {
         if (slow) {
             RC_ASSERT(bracket.contains(*slow));
             const float next = std::nextafter(*slow, bracket.max);
-            RC_ASSERT(f(*slow) == 0 || opposite_signs(f(*slow), f(next)) || f(next) == 0);
+            RC_ASSERT((f(*slow) == 0 || opposite_signs(f(*slow), f(next)) || f(next) == 0));
         }
         if (fast) RC_ASSERT(bracket.contains(*fast));
     });

@@ -235,7 +235,7 @@ TEST_CASE("laws of hierarchies: any bits as triangles and rays are answered as b
         const Ray<float> ray{test::vector_of(test::any_bits<float>()),
                              test::vector_of(test::any_bits<float>())};
         const auto       expected = BruteForce<float>(mesh).nearest(ray);
-        RC_ASSERT(!expected || std::isfinite(expected->t));
+        RC_ASSERT((!expected || std::isfinite(expected->t)));
         for (const Cut cut : {Cut::median, Cut::binned, Cut::swept}) {
             const Hierarchy<float> hierarchy(mesh, {.cut = cut, .asked_straight = 0});
             RC_ASSERT(hierarchy.nearest(ray) == expected);

@@ -242,7 +242,7 @@ namespace {
 
 template <class T>
 void ends_with_a_finite_root(std::optional<T> root, Interval<T> range) {
-    if (root) RC_ASSERT(std::isfinite(*root) && range.contains(*root));
+    if (root) RC_ASSERT((std::isfinite(*root) && range.contains(*root)));
 }
 
 }  // namespace

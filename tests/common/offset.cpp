@@ -270,7 +270,7 @@ TEST_CASE_TEMPLATE("no bit pattern makes a ray that leaves a surface hit at what
                               surface_point(triangle, Vector2<T>{u, v})}) {
             const auto next = leave(p, direction);
             const auto hits = {intersect(sphere, next), intersect(plane, next)};
-            for (const auto& hit : hits) RC_ASSERT(!hit || std::isfinite(*hit));
+            for (const auto& hit : hits) RC_ASSERT((!hit || std::isfinite(*hit)));
         }
     });
 }

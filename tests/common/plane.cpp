@@ -57,7 +57,7 @@ TEST_CASE_TEMPLATE("laws of a ray and a plane", T, float, double) {
         const T        from = *number, to = *number;
         for (const auto& range : {in_front<T>, Interval<T>{from, to}}) {
             const auto t = intersect(plane, ray, range);
-            RC_ASSERT(!t || (std::isfinite(*t) && range.contains(*t)));
+            RC_ASSERT((!t || (std::isfinite(*t) && range.contains(*t))));
         }
     });
 }

@@ -129,6 +129,6 @@ TEST_CASE_TEMPLATE("laws of a quadratic's roots", T, float, double) {
         RC_PRE(roots.has_value());
         RC_ASSERT(roots->first <= roots->second);
         const auto some = roots->first_in({});
-        RC_ASSERT(!some || (std::isfinite(*some) && *some >= 0));
+        RC_ASSERT((!some || (std::isfinite(*some) && *some >= 0)));
     });
 }

@@ -83,8 +83,8 @@ TEST_CASE_TEMPLATE("a power of two changes no digit of a hit", T, float, double)
         RC_ASSERT(scene.has_value() == hit.has_value());
         RC_ASSERT(along.has_value() == hit.has_value());
         if (!hit) return;
-        RC_ASSERT(scene->t == hit->t && scene->uv == hit->uv);
-        RC_ASSERT(along->t == hit->t / scale && along->uv == hit->uv);
+        RC_ASSERT((scene->t == hit->t && scene->uv == hit->uv));
+        RC_ASSERT((along->t == hit->t / scale && along->uv == hit->uv));
     });
 }
 
@@ -96,7 +96,7 @@ TEST_CASE_TEMPLATE("a hit's weights name a point of the triangle that is on the 
         RC_PRE(hit.has_value());
         constexpr T epsilon = std::numeric_limits<T>::epsilon();
         const auto [u, v]   = std::pair{hit->uv.x, hit->uv.y};
-        RC_ASSERT(u >= 0 && v >= 0 && u + v <= 1 + 2 * epsilon);
+        RC_ASSERT((u >= 0 && v >= 0 && u + v <= 1 + 2 * epsilon));
 
         // In double; the bound is for the rounding of each vertex as it is seen from the origin along the ray.
         const Vector3<double> o(ray.origin), d(ray.direction), a(triangle.a), b(triangle.b), c(triangle.c);

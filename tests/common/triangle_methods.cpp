@@ -116,8 +116,8 @@ TEST_CASE_TEMPLATE("all methods: a finite hit or none, whatever the bits", T, fl
                 for (const auto& asked : {range, in_front<T>}) {
                     const auto hit = intersect({a, b, c}, {origin, direction}, asked);
                     if (!hit) continue;
-                    RC_ASSERT(std::isfinite(hit->t) && asked.contains(hit->t));
-                    RC_ASSERT(hit->uv.x >= 0 && hit->uv.x <= 1 && hit->uv.y >= 0 && hit->uv.y <= 1);
+                    RC_ASSERT((std::isfinite(hit->t) && asked.contains(hit->t)));
+                    RC_ASSERT((hit->uv.x >= 0 && hit->uv.x <= 1 && hit->uv.y >= 0 && hit->uv.y <= 1));
                 }
             },
             20'000);

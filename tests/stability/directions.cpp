@@ -116,7 +116,7 @@ TEST_CASE_TEMPLATE("a vector of any bits has a direction or none, never a NaN", 
         const T    x = *any_bits<T>(), y = *any_bits<T>(), z = *any_bits<T>();
         const auto n      = unit(Vector3<T>{x, y, z});
         const bool finite = std::isfinite(x) && std::isfinite(y) && std::isfinite(z);
-        RC_ASSERT(n.has_value() == (finite && (x != 0 || y != 0 || z != 0)));
+        RC_ASSERT((n.has_value() == (finite && (x != 0 || y != 0 || z != 0))));
         if (n) RC_ASSERT(std::abs(length(*n) - 1) <= 4 * std::numeric_limits<T>::epsilon());
     });
 }
