@@ -287,3 +287,15 @@ TEST_CASE("by the cost that they minimise, sweeping is no worse than bins, and b
     CHECK(cost(Cut::swept) < 1.02 * cost(Cut::binned));
     CHECK(cost(Cut::binned) < 0.9 * cost(Cut::median));
 }
+
+TEST_CASE("triangles on a line make boxes without a surface, which nobody meets: no work, and not NaN") {
+    Mesh<float> line;
+    for (std::uint32_t i = 0; i < 10; ++i) {
+        const auto x = float(i);
+        line.vertices.insert(line.vertices.end(), {{x, 0, 0}, {x + 1, 0, 0}, {x + 2, 0, 0}});
+        line.faces.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+    }
+    const auto work = expected_work(Hierarchy<float>(line, {.cut = Cut::median, .asked_straight = 0}).tree());
+    CHECK(work.nodes == 0);
+    CHECK(work.triangles == 0);
+}
