@@ -163,12 +163,12 @@ TEST_CASE(
     const float largest = 1 - 0x1p-24F;
     for (const float u : {0.0F, 0.5F, largest}) {
         for (const float v : {0.0F, 0.25F, 0.7F, largest}) {
-            const Vec3 w = sample_cosine_hemisphere({u, v});
+            const Vec3 w = sample_cosine_hemisphere(Vec2{u, v});
             CHECK(std::abs(length(w) - 1) <= 3e-7F);
             CHECK(w.z >= 0x1p-12F);
         }
     }
-    CHECK(sample_cosine_hemisphere({0, 0}) == Vec3{0, 0, 1});
+    CHECK(sample_cosine_hemisphere(Vec2{0, 0}) == Vec3{0, 0, 1});
 }
 
 TEST_CASE("hemisphere: directions follow the cosine") {
@@ -177,7 +177,7 @@ TEST_CASE("hemisphere: directions follow the cosine") {
     for (int i = 0; i < 100'000; ++i) {
         const float u = rng.uniform();
         const float v = rng.uniform();
-        const Vec3  w = sample_cosine_hemisphere({u, v});
+        const Vec3  w = sample_cosine_hemisphere(Vec2{u, v});
         z.push_back(double(w.z));
         z_squared.push_back(z.back() * z.back());
         const double phi = std::atan2(double(w.y), double(w.x));
@@ -187,4 +187,21 @@ TEST_CASE("hemisphere: directions follow the cosine") {
     CHECK(uniformity(z_squared) > alpha);
     CHECK(uniformity(angle) > alpha);
     CHECK(uniformity(z) < 1e-6);
+}
+
+TEST_CASE("hemisphere: each map is undone by its inverse, and the densities are as they say") {
+    using V2 = Vector2<double>;
+    Rng rng{10, 0, 0, 0};
+    for (int i = 0; i < 1000; ++i) {
+        const double x = rng.uniform<double>(), y = rng.uniform<double>();
+        const auto uniform = sample_uniform_hemisphere(V2{x, y}), cosine = sample_cosine_hemisphere(V2{x, y});
+        CHECK(std::abs(length(uniform) - 1) <= 1e-15);
+        CHECK(length(invert_uniform_hemisphere(uniform) - V2{x, y}) <= 1e-14);
+        CHECK(length(invert_cosine_hemisphere(cosine) - V2{x, y}) <= 1e-14);
+        CHECK(std::abs(pdf_uniform_hemisphere(uniform).value * 2 * std::numbers::pi - 1) <= 1e-15);
+        CHECK(std::abs(pdf_cosine_hemisphere(cosine).value * std::numbers::pi - cosine.z) <= 1e-15);
+    }
+    CHECK(pdf_uniform_hemisphere(Vec3{0, 0, -1}).value == 0);
+    CHECK(pdf_cosine_hemisphere(Vec3{0, 0, -1}).value == 0);
+    CHECK(turn(Vec3{1, -1e-30F, 0}) < 1);
 }

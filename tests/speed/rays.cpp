@@ -72,7 +72,7 @@ std::vector<RaySet> ray_sets(const Mesh<float>& mesh, const Hierarchy<float>& hi
             const Vec3  n = dot(p.normal, ray.direction) < 0 ? p.normal : -p.normal;
             Rng         rng{1, x, y, 0};
             const float u = rng.uniform(), v = rng.uniform();
-            diffuse.rays.push_back(leave(p, frame_around(n).to_world(sample_cosine_hemisphere({u, v}))));
+            diffuse.rays.push_back(leave(p, frame_around(n).to_world(sample_cosine_hemisphere(Vec2{u, v}))));
             diffuse.origins_of_aimed.push_back(diffuse.rays.back().origin);
             shadow.rays.push_back(between(p, light));
         }
