@@ -221,7 +221,7 @@ void which_is_faster(course::Chapter& chapter) {
 int main(int argc, char** argv) {
     using namespace sr;
     const course::Defaults defaults{
-        .size = {128, 512, 1024}, .samples = {1, 16, 16}, .renders_scene = true, .square_samples = true};
+        .samples = course::ByQuality{1, 16, 16}, .square_samples = true, .renders_scene = true};
     return course::run(argc, argv, "01_rays", "Rays", defaults, [](course::Chapter& chapter) {
         pinhole(chapter);
         what_is_seen(chapter);

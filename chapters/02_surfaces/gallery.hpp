@@ -67,7 +67,7 @@ void portray(course::Chapter& chapter, const std::string& name, const std::strin
     const Vector3<double> from    = normalize(Vector3<double>{0.55, -1, 0.62});
     const auto            camera  = convert<float>(
         pinhole_camera<double>(4.2 * radius * from, -from, {0, 0, 1}, 1.0, 0.5, options.size, options.size));
-    const int       side = options.quality == course::Quality::draft ? 2 : 3;
+    const int       side = int(std::sqrt(options.samples));  // a square: course::run has seen to that
     Image<Spectrum> film(options.size, options.size);
     for_each_pixel(film.width(), film.height(), {.threads = options.threads}, [&](int x, int y) {
         for (int part = 0; part < side * side; ++part) {

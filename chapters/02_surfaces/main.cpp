@@ -215,7 +215,9 @@ void leaving_a_surface(course::Chapter& chapter) {
 
 int main(int argc, char** argv) {
     using namespace sr;
-    return course::run(argc, argv, "02_surfaces", "Surfaces", [](course::Chapter& chapter) {
+    const course::Defaults defaults{
+        .samples = course::ByQuality{4, 9, 9}, .square_samples = true, .takes_seed = false};
+    return course::run(argc, argv, "02_surfaces", "Surfaces", defaults, [](course::Chapter& chapter) {
         surface_is_an_equation(chapter);
         plane(chapter);
         sphere_at_a_distance(chapter);

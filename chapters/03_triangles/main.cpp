@@ -212,7 +212,8 @@ void meshes(course::Chapter& chapter, const Target& sphere, const Target& pot) {
 
 int main(int argc, char** argv) {
     using namespace sr;
-    return course::run(argc, argv, "03_triangles", "Triangles", [](course::Chapter& chapter) {
+    const course::Defaults defaults{.takes_seed = false};
+    return course::run(argc, argv, "03_triangles", "Triangles", defaults, [](course::Chapter& chapter) {
         const auto sphere = sphere_from_inside();
         const auto pot    = teapot_from_outside();
         weights(chapter);

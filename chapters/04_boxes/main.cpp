@@ -219,8 +219,7 @@ void what_it_costs(course::Chapter& chapter) {
 
 int main(int argc, char** argv) {
     using namespace sr;
-    const course::Defaults defaults{.size = {128, 512, 1024}, .samples = {1, 1, 1}};
-    return course::run(argc, argv, "04_boxes", "Boxes", defaults, [](course::Chapter& chapter) {
+    return course::run(argc, argv, "04_boxes", "Boxes", [](course::Chapter& chapter) {
         slabs(chapter);
         zeros(chapter);
         lost_at_corners(chapter);

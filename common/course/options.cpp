@@ -24,20 +24,29 @@ int cores() {
     return std::max(1, int(std::thread::hardware_concurrency()));
 }
 
+// Why an option changes nothing.
+constexpr std::string_view no_samples = "this chapter takes no samples";
+constexpr std::string_view no_seed    = "this chapter always draws the random numbers of its text";
+
 /// @param chapter   whose defaults --help shows; none: they differ from chapter to chapter
 std::vector<CommandOption> shared_options(const std::optional<Defaults>& chapter) {
-    const auto by_quality = [&](ByQuality Defaults::*number) -> std::string {
-        if (!chapter) return "[the chapter's]";
-        const ByQuality& n = (*chapter).*number;
+    const auto by_quality = [&](const ByQuality& n) {
         return fmt::format("[{} draft, {} lecture, {} print]", n.draft, n.lecture, n.print);
     };
+    std::string size    = "longer edge of a render in pixels ";
+    std::string samples = "samples per pixel or estimate ";
+    std::string seed    = "start of the random numbers [1, as in the text: others may miss its claims]";
+    size += chapter ? by_quality(chapter->size) : "[the chapter's]";
+    samples += chapter && chapter->samples ? by_quality(*chapter->samples) : "[the chapter's]";
+    if (chapter && !chapter->samples) samples = fmt::format("fixed: {}", no_samples);
+    if (chapter && !chapter->takes_seed) seed = fmt::format("fixed: {}", no_seed);
     std::vector<CommandOption> all{
         {"--out", "DIR", "folder of the figures [figures; with course: its own folder figures]"},
         {"--quality", "Q", "draft, lecture or print [lecture]"},
-        {"--size", "N", "longer edge of a render in pixels " + by_quality(&Defaults::size)},
-        {"--samples", "N", "samples per pixel or estimate " + by_quality(&Defaults::samples)},
+        {"--size", "N", size},
+        {"--samples", "N", samples},
         {"--threads", "N", fmt::format("threads to use [all cores: {}]", cores())},
-        {"--seed", "N", "start of all random numbers [1]"},
+        {"--seed", "N", seed},
         {"--format", "LIST", "of svg, png, pdf, tex, separated by commas [svg]"}};
     if (chapter && chapter->renders_scene)
         all.push_back({"--scene", "FILE", "OBJ file: render it instead of the chapter's own scene"});
@@ -91,13 +100,13 @@ Options checked(const Values& given, const Defaults& defaults) {
         return found == given.end() ? otherwise : found->second;
     };
     Options o;
-    o.out = value("--out", "figures");
-    if (o.out.empty()) throw std::invalid_argument("--out : name the folder of the figures");
-    o.quality = quality(value("--quality", "lecture"));
+    o.out             = value("--out", "figures");
+    o.quality         = quality(value("--quality", "lecture"));
+    const int samples = defaults.samples ? defaults.samples->at(o.quality) : o.samples;
     o.size    = whole_number("--size", value("--size", std::to_string(defaults.size.at(o.quality))), 16, 8192,
                              "the image's edge must be 16 to 8192 pixels");
-    o.samples = whole_number("--samples", value("--samples", std::to_string(defaults.samples.at(o.quality))),
-                             1, 1'000'000, "the number of samples must be 1 to 1000000");
+    o.samples = whole_number("--samples", value("--samples", std::to_string(samples)), 1, 1'000'000,
+                             "the number of samples must be 1 to 1000000");
     if (defaults.square_samples) check_square(o.samples);
     o.threads = whole_number("--threads", value("--threads", std::to_string(cores())), 1, 1024,
                              "the number of threads must be 1 to 1024");
@@ -108,7 +117,17 @@ Options checked(const Values& given, const Defaults& defaults) {
     return o;
 }
 
-/// A command line taken apart; nothing in it is checked yet.
+/// One line on stderr for each option that was given and changes nothing.
+void note_unused(std::string_view name, const Values& given, const Defaults& defaults) {
+    const auto note = [&](const char* option, std::string_view why) {
+        if (given.contains(option))
+            fmt::print(stderr, "{}: {} {} changes nothing: {}\n", name, option, given.at(option), why);
+    };
+    if (!defaults.samples) note("--samples", no_samples);
+    if (!defaults.takes_seed) note("--seed", no_seed);
+}
+
+/// A command line taken apart; of its values no more is known than that none is empty.
 struct Parts {
     Values                   values;  ///< of the known options that were given
     std::vector<std::string> rest;
@@ -142,6 +161,10 @@ Parts take_apart(int argc, const char* const* argv, const std::vector<CommandOpt
     }
     for (const CommandOption& option : known)
         if (app.count(option.name) != 0) parts.values[option.name] = texts[option.name];
+    for (const CommandOption& option : known)
+        if (!option.value.empty() && parts.values.contains(option.name) && texts[option.name].empty())
+            throw std::invalid_argument(
+                fmt::format("{0} '': {1} must not be empty; see --help", option.name, option.value));
     parts.rest = app.remaining();
     return parts;
 }
@@ -154,6 +177,10 @@ bool is_option(const std::string& word) {
     std::vector<std::string> names{"--help"};
     for (const CommandOption& option : known) names.push_back(option.name);
     const std::string name = word.substr(0, word.find('='));
+    if (name == "--scene")
+        throw std::invalid_argument(
+            "--scene: for the program of a chapter that renders a file: "
+            "course run 01 --scene FILE");
     throw std::invalid_argument(fmt::format("{}: unknown {}{}; see --help", name,
                                             is_option(word) ? "option" : "word", did_you_mean(name, names)));
 }
@@ -218,7 +245,9 @@ Parsed parse_options(int argc, const char* const* argv, std::string_view name, s
             return {};
         }
         if (!parts.rest.empty()) unknown_word(parts.rest.front(), known);
-        return {.options = checked(parts.values, defaults)};
+        const Options options = checked(parts.values, defaults);
+        note_unused(name, parts.values, defaults);
+        return {.options = options};
     } catch (const std::exception& error) {
         return {.exit_code = report_error(name, error)};
     }

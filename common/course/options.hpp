@@ -28,10 +28,11 @@ struct ByQuality {
 
 /// What a chapter states about its own options.
 struct Defaults {
-    ByQuality size           = {.draft = 128, .lecture = 512, .print = 1024};
-    ByQuality samples        = {.draft = 16, .lecture = 64, .print = 256};
-    bool      renders_scene  = false;  ///< the program then takes --scene FILE.obj
-    bool      square_samples = false;  ///< a pixel's samples form a square: 1, 4, 9, ...
+    ByQuality                size           = {.draft = 128, .lecture = 512, .print = 1024};
+    std::optional<ByQuality> samples        = std::nullopt;  ///< none: the chapter takes no samples
+    bool                     square_samples = false;  ///< a pixel's samples form a square: 1, 4, 9, ...
+    bool                     takes_seed     = true;   ///< false: its random numbers are always the same
+    bool                     renders_scene  = false;  ///< the program then takes --scene FILE.obj
 };
 
 /// What the person asked for, complete and checked.
@@ -39,7 +40,7 @@ struct Options {
     std::filesystem::path                out     = "figures";  ///< the chapter's folder is made in it
     Quality                              quality = Quality::lecture;
     int                                  size    = 512;  ///< longer edge of a render [pixels], 16 to 8192
-    int                                  samples = 64;   ///< per pixel or per estimate, 1 to 1'000'000
+    int                                  samples = 1;    ///< per pixel or per estimate, 1 to 1'000'000
     int                                  threads = 1;    ///< 1 to 1024; all cores by default
     std::uint64_t                        seed    = 1;
     std::vector<std::string>             formats = {"svg"};  ///< of svg, png, pdf, tex
@@ -53,7 +54,8 @@ struct Parsed {
     int                    exit_code = 0;
 };
 
-/// Reads the options of the program `name` ("01_rays") whose subject is `title`.
+/// Reads the options of the program `name` ("01_rays") whose subject is `title`. One that is given and changes nothing
+/// gets a line on stderr and is no error: `course figures` passes the same options to all chapters.
 [[nodiscard]] Parsed parse_options(int argc, const char* const* argv, std::string_view name,
                                    std::string_view title, const Defaults& defaults);
 

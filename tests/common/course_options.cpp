@@ -10,7 +10,7 @@ using sr::test::in_child;
 
 namespace {
 
-const Defaults sizes{.size = {100, 200, 300}, .samples = {1, 2, 3}};
+const Defaults sizes{.size = {100, 200, 300}, .samples = ByQuality{1, 2, 3}};
 
 Parsed parse(std::vector<const char*> words, const Defaults& defaults = sizes) {
     words.insert(words.begin(), "01_rays");
@@ -62,20 +62,22 @@ TEST_CASE("what is wrong is told in one line with exit code 2") {
         {{"--size", "99999999999999999999"},
          "--size 99999999999999999999: the image's edge must be 16 to 8192 pixels"},
         {{"--size", "nan"}, "--size nan: the image's edge must be 16 to 8192 pixels"},
-        {{"--size", ""}, "--size : the image's edge must be 16 to 8192 pixels"},
+        {{"--size", ""}, "--size '': N must not be empty; see --help"},
         {{"--size"}, "--size: N must follow"},
         {{"--samples", "0"}, "--samples 0: the number of samples must be 1 to 1000000"},
         {{"--threads", "0"}, "--threads 0: the number of threads must be 1 to 1024"},
         {{"--seed", "-1"}, "--seed -1: the seed must be a whole number from 0 to 18446744073709551615"},
-        {{"--out", ""}, "--out : name the folder of the figures"},
+        {{"--out", ""}, "--out '': DIR must not be empty; see --help"},
+        {{"--out="}, "--out: DIR must follow"},
         {{"--quality", "best"}, "--quality best: the quality must be draft, lecture or print"},
         {{"--format", "gif"}, "--format gif: the formats must be of svg, png, pdf, tex, separated by commas"},
-        {{"--format", ""}, "--format : the formats must be of svg, png, pdf, tex, separated by commas"},
+        {{"--format", ""}, "--format '': LIST must not be empty; see --help"},
         {{"--siez", "4"}, "--siez: unknown option; did you mean --size?; see --help"},
         {{"--bananas"}, "--bananas: unknown option; see --help"},
         {{"-q"}, "-q: unknown option; see --help"},
         {{"fast"}, "fast: unknown word; see --help"},
-        {{"--scene", "x.obj"}, "--scene: unknown option; see --help"},
+        {{"--scene", "x.obj"},
+         "--scene: for the program of a chapter that renders a file: course run 01 --scene FILE"},
     };
     for (const auto& c : cases) {
         const Ended ended = told(c.words);
@@ -86,7 +88,7 @@ TEST_CASE("what is wrong is told in one line with exit code 2") {
 }
 
 TEST_CASE("samples that form a square are counted by squares") {
-    const Defaults square{.square_samples = true};
+    const Defaults square{.samples = ByQuality{1, 4, 9}, .square_samples = true};
     for (const char* const samples : {"1", "4", "999999"})
         CHECK(parse({"--samples", samples}).options.value().samples >= 1);
     for (const char* const samples : {"1", "4", "1000000"})
@@ -101,6 +103,26 @@ TEST_CASE("samples that form a square are counted by squares") {
 
 TEST_CASE("a scene is an option where a chapter renders one") {
     CHECK(parse({"--scene", "x.obj"}, {.renders_scene = true}).options.value().scene == "x.obj");
+}
+
+TEST_CASE("an option that changes nothing gets one line, which is no error, and its help says so") {
+    const Defaults fixed{.takes_seed = false};
+    const auto     notes = [](const std::vector<const char*>& words, const Defaults& defaults) {
+        const Ended ended = told(words, defaults);
+        CHECK(ended.code == 99);  // it goes on
+        return ended.err;
+    };
+    CHECK(notes({"--samples", "7"}, fixed) ==
+          "01_rays: --samples 7 changes nothing: this chapter takes no samples\n");
+    CHECK(notes({"--seed", "2"}, fixed) ==
+          "01_rays: --seed 2 changes nothing: this chapter always draws the random numbers of its text\n");
+    CHECK(notes({"--size", "64"}, fixed) == "");
+    CHECK(notes({"--samples", "7", "--seed", "2"}, sizes) == "");
+
+    const std::string help = told({"--help"}, fixed).out;
+    CHECK(help.find("fixed: this chapter takes no samples") != std::string::npos);
+    CHECK(help.find("fixed: this chapter always draws") != std::string::npos);
+    CHECK(told({"--help"}).out.find("fixed") == std::string::npos);
 }
 
 TEST_CASE("help names every option with its default") {
