@@ -74,6 +74,14 @@ void print_claims(const std::vector<Claim>& claims) {
                    emphasise(fmt::format("{} of {} claims failed", failed, claims.size()), Emphasis::bad));
 }
 
+/// What an interrupt says, on a line of its own: on a terminal, "^C" and perhaps a progress stand on this one.
+std::string last_words(std::string_view chapter, std::ptrdiff_t figures, const fs::path& folder) {
+    const std::string where =
+        figures == 0 ? "before its first figure"
+                     : fmt::format("{} so far in {}", counted(figures, "figure"), folder.string());
+    return fmt::format("{}{}: interrupted: {}\n", stderr_is_terminal() ? "\n" : "", chapter, where);
+}
+
 /// Says what there is, and where: charts without gnuplot are data and no more.
 void print_closing(const std::vector<Figure>& figures, const fs::path& folder, const fs::path& index) {
     const auto undrawn =
@@ -90,9 +98,17 @@ void print_closing(const std::vector<Figure>& figures, const fs::path& folder, c
 
 Chapter::Chapter(std::string name, Options options) : name_{std::move(name)}, options_{std::move(options)} {
     prepare(options_.out, folder());
+    on_interrupt(folder(), last_words(name_, 0, folder()));
 }
 
 void Chapter::section(std::string_view heading) {
+    const auto write_complete = [&](auto& drawings) {
+        for (const auto& drawing : drawings)
+            if (drawing.is_complete()) write(drawing);
+        std::erase_if(drawings, [](const auto& drawing) { return drawing.is_complete(); });
+    };
+    write_complete(charts_);
+    write_complete(diagrams_);
     fmt::print("\n{}\n", emphasise(heading, Emphasis::strong));
     std::fflush(stdout);
 }
@@ -127,7 +143,7 @@ void Chapter::render(std::string name, std::string title, std::string caption, c
     const std::vector<std::string> files{name + ".png", name + ".hdr"};
     write_png(folder() / files[0], film);
     write_hdr(folder() / files[1], film);
-    figures_.push_back({std::move(name), "render", std::move(title), std::move(caption), files});
+    take_figure({std::move(name), "render", std::move(title), std::move(caption), files});
 }
 
 void Chapter::claim(std::string name, Measured value) {
@@ -139,22 +155,8 @@ void Chapter::claim_at_most(std::string name, double measured, double bound) {
 }
 
 bool Chapter::finish() {
-    for (const Chart& chart : charts_) {
-        const ChartData& data = chart.data();
-        figures_.push_back({data.name, "chart", data.title, data.caption,
-                            write_drawn(folder(), data.name, grouped_by_series(data), options_.formats,
-                                        [&](const auto& csv, const auto& format) {
-                                            return chart_script(data, csv, format);
-                                        })});
-    }
-    for (const Diagram& diagram : diagrams_) {
-        const DiagramData& data = diagram.data();
-        figures_.push_back({data.name, "diagram", data.title, data.caption,
-                            write_drawn(folder(), data.name, to_rows(data), options_.formats,
-                                        [&](const auto& csv, const auto& format) {
-                                            return diagram_script(data, csv, format);
-                                        })});
-    }
+    for (const Chart& chart : charts_) write(chart);
+    for (const Diagram& diagram : diagrams_) write(diagram);
     const auto place = [&](const Figure& figure) { return std::ranges::find(names_, figure.name); };
     std::ranges::sort(figures_, {}, place);  // as the chapter made them
     write_csv(folder() / "claims.csv", to_rows(claims_));
@@ -172,6 +174,27 @@ bool Chapter::finish() {
 void Chapter::take_name(const std::string& name) {
     check_name(name, names_);
     names_.push_back(name);
+}
+
+void Chapter::take_figure(Figure figure) {
+    figures_.push_back(std::move(figure));
+    on_interrupt(folder(), last_words(name_, std::ssize(figures_), folder()));
+}
+
+void Chapter::write(const Chart& chart) {
+    const ChartData& data = chart.data();
+    const auto script = [&](const auto& csv, const auto& format) { return chart_script(data, csv, format); };
+    take_figure({data.name, "chart", data.title, data.caption,
+                 write_drawn(folder(), data.name, grouped_by_series(data), options_.formats, script)});
+}
+
+void Chapter::write(const Diagram& diagram) {
+    const DiagramData& data   = diagram.data();
+    const auto         script = [&](const auto& csv, const auto& format) {
+        return diagram_script(data, csv, format);
+    };
+    take_figure({data.name, "diagram", data.title, data.caption,
+                 write_drawn(folder(), data.name, to_rows(data), options_.formats, script)});
 }
 
 int run(int argc, const char* const* argv, std::string_view name, std::string_view title,

@@ -37,14 +37,15 @@ public:
     /// Where this chapter's figures are written; exists.
     [[nodiscard]] std::filesystem::path folder() const { return options_.out / name_; }
 
-    void section(std::string_view heading);  ///< "1.2 The image plane", on stdout
-    void say(std::string_view line);         ///< a fact that is no claim, such as a time
-    void say(const Rows& table);             ///< a small table, aligned
+    /// "1.2 The image plane", on stdout. Writes the charts and diagrams that nobody fills any more.
+    void section(std::string_view heading);
+    void say(std::string_view line);  ///< a fact that is no claim, such as a time
+    void say(const Rows& table);      ///< a small table, aligned
 
     /// One line on stderr of what is no error, but perhaps not what the person wanted: "01_rays: ...".
     void note(std::string_view line);
 
-    /// A chart or diagram to fill; written when the chapter ends.
+    /// A chart or diagram to fill; written when its section ends.
     [[nodiscard]] Chart   chart(std::string name, std::string title, Axes axes);
     [[nodiscard]] Diagram diagram(std::string name, std::string title);
 
@@ -61,6 +62,9 @@ public:
 
 private:
     void take_name(const std::string& name);
+    void take_figure(Figure figure);
+    void write(const Chart& chart);
+    void write(const Diagram& diagram);
 
     std::string              name_;
     Options                  options_;

@@ -76,6 +76,9 @@ public:
 
     [[nodiscard]] const ChartData& data() const { return *data_; }
 
+    /// Whether no other handle is left that could fill it.
+    [[nodiscard]] bool is_complete() const { return data_.use_count() == 1; }
+
 private:
     std::shared_ptr<ChartData> data_;
 };

@@ -61,6 +61,9 @@ public:
 
     [[nodiscard]] const DiagramData& data() const { return *data_; }
 
+    /// Whether no other handle is left that could draw on it.
+    [[nodiscard]] bool is_complete() const { return data_.use_count() == 1; }
+
 private:
     std::shared_ptr<DiagramData> data_;
 };

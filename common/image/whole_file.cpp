@@ -19,6 +19,7 @@
 #include <utility>
 
 #ifdef _WIN32
+#include <direct.h>
 #include <io.h>
 #include <process.h>
 #else
@@ -29,13 +30,21 @@ namespace sr {
 
 namespace {
 
-// The names of the temporaries, where a signal handler can read them: no allocation, no lock of a library.
+/// Text where a signal handler can read it: no allocation, no lock of a library.
+using Text = std::array<char, 4096>;
+
+void set(Text& text, std::string_view to) {
+    text[to.copy(text.data(), text.size() - 1)] = '\0';
+}
+
+/// The name of a temporary.
 struct Slot {
-    bool                   used = false;
-    std::array<char, 4096> path = {};
+    bool used = false;
+    Text path = {};
 };
 std::array<Slot, 64> slots;
-std::atomic_flag     slots_in_use;
+Text                 last_folder = {}, last_words = {};
+std::atomic_flag     slots_in_use;  // and what is said and done last
 
 #ifndef _WIN32
 sigset_t interrupts() {
@@ -43,6 +52,7 @@ sigset_t interrupts() {
     sigemptyset(&set);
     sigaddset(&set, SIGINT);
     sigaddset(&set, SIGTERM);
+    sigaddset(&set, SIGPIPE);
     return set;
 }
 #endif
@@ -73,13 +83,26 @@ private:
 #endif
 };
 
-extern "C" void remove_temporaries_and_end(int signal) {
+void tidy_up() {
     while (slots_in_use.test_and_set()) {
     }
     for (const Slot& slot : slots)
         if (slot.used) ::unlink(slot.path.data());
+    if (last_folder[0] != '\0') ::rmdir(last_folder.data());  // does nothing to one that is not empty
+}
+
+extern "C" void tidy_up_and_say_so(int signal) {
+    tidy_up();
+    (void)!::write(2, last_words.data(), unsigned(std::strlen(last_words.data())));
     std::_Exit(128 + signal);
 }
+
+#ifndef _WIN32
+extern "C" void tidy_up_and_end(int signal) {
+    tidy_up();
+    std::_Exit(128 + signal);
+}
+#endif
 
 #ifdef O_BINARY
 constexpr int binary = O_BINARY;  // Windows would write \r\n
@@ -136,8 +159,8 @@ public:
         for (Slot& slot : slots)
             if (!slot.used && name_.size() < slot.path.size()) slot_ = &slot;
         if (slot_ == nullptr) return;
-        slot_->path[name_.copy(slot_->path.data(), name_.size())] = '\0';
-        slot_->used                                               = true;
+        set(slot_->path, name_);
+        slot_->used = true;
     }
     ~Temporary() {
         if (slot_ == nullptr) return;
@@ -200,15 +223,24 @@ void write_whole_file(const std::filesystem::path& path, std::string_view bytes)
     file.rename_to_target();
 }
 
+void on_interrupt(const std::filesystem::path& folder, std::string_view words) {
+    const std::string name = folder.string();
+    const SlotsLock   lock;
+    set(last_folder, name.size() < last_folder.size() ? name : "");
+    set(last_words, words);
+}
+
 void end_cleanly_on_interrupt() {
 #ifdef _WIN32
-    std::signal(SIGINT, remove_temporaries_and_end);
+    std::signal(SIGINT, tidy_up_and_say_so);
 #else
     struct sigaction action = {};
-    action.sa_handler       = remove_temporaries_and_end;
+    action.sa_handler       = tidy_up_and_say_so;
     action.sa_mask          = interrupts();  // the second must not wait for the first, inside it
     sigaction(SIGINT, &action, nullptr);
     sigaction(SIGTERM, &action, nullptr);
+    action.sa_handler = tidy_up_and_end;
+    sigaction(SIGPIPE, &action, nullptr);
     std::signal(SIGXFSZ, SIG_IGN);
 #endif
 }

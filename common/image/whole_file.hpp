@@ -14,8 +14,13 @@ namespace sr {
 /// @throws std::runtime_error "cannot write figures/x.svg: No space left on device"; nothing is left behind
 void write_whole_file(const std::filesystem::path& path, std::string_view bytes);
 
-/// From now on an interrupt (SIGINT, SIGTERM) removes what is half written and ends the program at once with
-/// exit code 128 + signal, 130 for Ctrl-C; and a file that grows over its limit is an error, not a signal.
+/// From now on an interrupt (SIGINT, SIGTERM), or writing to a reader that went away (SIGPIPE: `| head`), removes what
+/// is half written and ends the program at once with exit code 128 + signal, 130 for Ctrl-C; and a file that grows over
+/// its limit is an error, not a signal.
 void end_cleanly_on_interrupt();
+
+/// What else the end by such a signal does, from now on: it removes `folder` if that is empty, and an interrupt says
+/// `words` on stderr.
+void on_interrupt(const std::filesystem::path& folder, std::string_view words);
 
 }  // namespace sr

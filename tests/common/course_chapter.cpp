@@ -192,6 +192,44 @@ TEST_CASE("Ctrl-C in a long operation ends the program with 130 at once, and all
     CHECK(read_text(out.path / "99_demo" / "line.csv") == before);
 }
 
+TEST_CASE("a figure is written when its section ends, and an interrupt says where those are that were") {
+    const ScratchFolder out{"chapter_sections"};
+    const auto          folder = out.path / "99_demo";
+    const Ended         ended  = run_program(out.path, [&](Chapter& chapter) {
+        small_chapter(chapter);
+        Chart open = chapter.chart("open", "Filled in two sections", {.x = "x", .y = "y"});
+        open.add("curve", 0, 0);
+        chapter.section("99.2 Another section");
+        open.add("curve", 1, 1);
+        std::raise(SIGINT);
+    });
+    CHECK(ended.code == 130);
+    CHECK(ended.err == "99_demo: interrupted: 3 figures so far in " + folder.string() + "\n");
+    CHECK(std::filesystem::exists(folder / "line.csv"));
+    CHECK(std::filesystem::exists(folder / "arrow.csv"));
+    CHECK_FALSE(std::filesystem::exists(folder / "open.csv"));
+}
+
+TEST_CASE(
+    "a chapter that ends before its first figure leaves no empty folder, and a reader that left is told "
+    "nothing") {
+    for (const auto& [signal, said] :
+         {std::pair{SIGINT, "99_demo: interrupted: before its first figure\n"}, {SIGPIPE, ""}}) {
+        const ScratchFolder out{"chapter_empty"};
+        const auto          folder = out.path / "99_demo";
+        const auto          end    = [&](Chapter&) { std::raise(signal); };
+        const Ended         ended  = run_program(out.path, end);
+        CHECK(ended.code == 128 + signal);
+        CHECK(ended.err == said);
+        CHECK_FALSE(std::filesystem::exists(folder));
+
+        std::filesystem::create_directories(folder);
+        std::ofstream{folder / "mine"} << "a person's own";
+        CHECK(run_program(out.path, end).code == 128 + signal);
+        CHECK(std::filesystem::exists(folder / "mine"));
+    }
+}
+
 TEST_CASE("measured work is timed as often as asked, all in turn, after a warm-up where it is short") {
     std::string order;
     const auto  timings = measure({{"a", [&] { order += 'a'; }}, {"b", [&] { order += 'b'; }}}, 3);
