@@ -30,8 +30,8 @@ namespace sr {
     const float      share = 1 / float(rays);
     Image<Look>      looks(camera.width, camera.height, {{}, {}, {}});
     course::Progress progress("tracing " + name, 1000);
-    const auto on_tile = [&](int done, int of) { progress.tick(1000 * done / of - 1000 * (done - 1) / of); };
-    const TileLoop loop{.threads = options.threads, .on_tile = on_tile};
+    const TileLoop   loop{.threads = options.threads,
+                          .on_tile = [&](int done, int of) { progress.tick_part(done, of); }};
     for_each_pixel(camera.width, camera.height, loop, [&](int x, int y) {
         for (int part = 0; part < rays; ++part) {
             const int  row = part / side, column = part % side;

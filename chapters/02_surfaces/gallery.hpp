@@ -67,9 +67,12 @@ void portray(course::Chapter& chapter, const std::string& name, const std::strin
     const Vector3<double> from    = normalize(Vector3<double>{0.55, -1, 0.62});
     const auto            camera  = convert<float>(
         pinhole_camera<double>(4.2 * radius * from, -from, {0, 0, 1}, 1.0, 0.5, options.size, options.size));
-    const int       side = int(std::sqrt(options.samples));  // a square: course::run has seen to that
-    Image<Spectrum> film(options.size, options.size);
-    for_each_pixel(film.width(), film.height(), {.threads = options.threads}, [&](int x, int y) {
+    const int        side = int(std::sqrt(options.samples));  // a square: course::run has seen to that
+    Image<Spectrum>  film(options.size, options.size);
+    course::Progress progress("tracing " + name, 1000);
+    const TileLoop   loop{.threads = options.threads,
+                          .on_tile = [&](int done, int of) { progress.tick_part(done, of); }};
+    for_each_pixel(film.width(), film.height(), loop, [&](int x, int y) {
         for (int part = 0; part < side * side; ++part) {
             const Vec2 at{float(part % side), float(part / side)};
             const auto ray = camera.ray(Vec2(float(x), float(y)) + (at + 0.5F) / float(side));

@@ -6,8 +6,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "attack.hpp"
 #include "course/chapter.hpp"
@@ -38,28 +41,57 @@ inline void add(Image<Attacked>& film, Vector2<double> image, bool lost) {
     }
 }
 
+/// The edges that no ray from the point may pass, as aims at their beginnings.
+[[nodiscard]] inline std::vector<Aim> walled_off_edges(const Target& target, const Vector3<double>& point) {
+    std::vector<Aim> edges;
+    for (const auto& face : target.mesh.faces) {
+        for (std::size_t corner = 0; corner < 3; ++corner) {
+            const auto a = face[corner], b = face[(corner + 1) % 3];
+            if (a < b && target.walls_off(a, point) && target.walls_off(b, point))
+                edges.push_back({point, a, b, 0});
+        }
+    }
+    return edges;
+}
+
+/// What became of a ray: out of the picture or behind a face, stopped at its edge, or lost.
+enum class Fate : std::uint8_t { unseen, stopped, lost };
+
 /// Aims `rays` of them at each edge that is seen and walled off, from the camera, and counts where they go.
 /// @pre float holds the camera's position
 template <class Method>
-[[nodiscard]] Image<Attacked> attack_from(const Camera<double>& camera, const Target& target, int rays) {
+[[nodiscard]] Image<Attacked> attack_from(const Camera<double>& camera, const Target& target, int rays,
+                                          const TileLoop& loop) {
     const Placement&       here      = placements.front();
     const auto             mesh      = placed<float>(target.mesh, here);
     const auto             triangles = made_ready<Method>(mesh);
+    const auto             edges     = walled_off_edges(target, camera.position);
     const Hierarchy<float> hierarchy(mesh);
-    Image<Attacked>        film(camera.width, camera.height);
-    const auto             shoot = [&](const Aim& aimed) {
-        const auto ray   = placed_ray(aimed, mesh, here);
-        const auto image = camera.project(camera.position + Vector3<double>(ray.direction));
+    const auto             aimed = [&](int i, int edge) {
+        Aim aim = edges[std::size_t(edge)];
+        aim.u   = (i + 0.5) / rays;
+        return aim;
+    };
+    const auto seen_at = [&](const Ray<float>& ray) {
+        return camera.project(camera.position + Vector3<double>(ray.direction));
+    };
+
+    Image<Fate> fates(rays, int(edges.size()));
+    for_each_pixel(fates.width(), fates.height(), loop, [&](int i, int edge) {
+        const auto aim   = aimed(i, edge);
+        const auto ray   = placed_ray(aim, mesh, here);
+        const auto image = seen_at(ray);
         if (!image || !(std::abs(image->x) < 1e5 && std::abs(image->y) < 1e5)) return;
         if (hierarchy.occluded(ray, {0, 0.999F})) return;
-        add(film, *image, !is_stopped<Method>(triangles, target.neighbours, aimed, ray));
-    };
-    for (const auto& face : mesh.faces) {
-        for (std::size_t corner = 0; corner < 3; ++corner) {
-            const auto a = face[corner], b = face[(corner + 1) % 3];
-            if (a > b || !target.walls_off(a, camera.position) || !target.walls_off(b, camera.position))
-                continue;
-            for (int i = 0; i < rays; ++i) shoot({camera.position, a, b, (i + 0.5) / rays});
+        fates(i, edge) =
+            is_stopped<Method>(triangles, target.neighbours, aim, ray) ? Fate::stopped : Fate::lost;
+    });
+
+    Image<Attacked> film(camera.width, camera.height);  // its sums are rounded: one order for any threads
+    for (int edge = 0; edge < fates.height(); ++edge) {
+        for (int i = 0; i < rays; ++i) {
+            if (fates(i, edge) == Fate::unseen) continue;
+            add(film, *seen_at(placed_ray(aimed(i, edge), mesh, here)), fates(i, edge) == Fate::lost);
         }
     }
     return film;
@@ -123,16 +155,18 @@ inline void add_glow(Image<Spectrum>& film, const Image<Attacked>& attacked) {
 
 /// Figures 3.3 and 3.4: a sphere and a teapot by Cramer's rule, and the teapot again, watertight.
 inline void render_leaks(course::Chapter& chapter, const Target& sphere, const Target& pot) {
-    const int      size = chapter.options().size;
-    const TileLoop loop{.threads = chapter.options().threads};
-    const auto     show = [&]<class Method>(Method, const std::string& name, const Target& target,
+    const int  size = chapter.options().size;
+    const auto show = [&]<class Method>(Method, const std::string& name, const Target& target,
                                         const Camera<double>& camera, int rays, const std::string& title) {
-        auto film = faces_seen(camera, target.mesh, loop);
-        add_glow(film, attack_from<Method>(camera, target, rays));
+        course::Progress progress("attacking for " + name, 1000);
+        TileLoop         loop{.threads = chapter.options().threads};
+        auto             film = faces_seen(camera, target.mesh, loop);
+        loop.on_tile          = [&](int done, int of) { progress.tick_part(done, of); };
+        add_glow(film, attack_from<Method>(camera, target, rays, loop));
         chapter.render(name, title,
-                           fmt::format("{} at each edge; what glows is the share that hits nothing.",
-                                       course::counted(rays, "ray")),
-                           film);
+                       fmt::format("{} at each edge; what glows is the share that hits nothing.",
+                                   course::counted(rays, "ray")),
+                       film);
     };
     const auto inside =
         pinhole_camera<double>({0.375, -0.25, -0.125}, {-1, 0.5, 0.55}, {0, 0, 1}, 1.0, 2.6, size, size);

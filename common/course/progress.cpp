@@ -35,6 +35,11 @@ void Progress::tick(int steps) {
     if (now >= next && next_.compare_exchange_strong(next, now + redraw)) draw(done, elapsed);
 }
 
+void Progress::tick_part(int done, int of) {
+    const auto steps_of = [&](std::int64_t parts) { return int(steps_ * parts / of); };
+    tick(steps_of(done) - steps_of(done - 1));
+}
+
 void Progress::draw(int done, double elapsed) {
     const std::string line = progress_line(what_, double(done) / double(steps_), elapsed);
     if (line.empty()) return;

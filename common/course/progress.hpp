@@ -23,6 +23,9 @@ public:
     /// One more step (or more than one) is done.
     void tick(int steps = 1);
 
+    /// Of all steps' work, shared out to `of` equal parts, the `done`-th part is done: what TileLoop::on_tile tells.
+    void tick_part(int done, int of);
+
 private:
     using Clock = std::chrono::steady_clock;
 
