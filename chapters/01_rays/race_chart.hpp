@@ -125,11 +125,14 @@ inline void race_by_triangles(course::Chapter& chapter, int side) {
                       race_axes("triangles"));
     Curves                 curves;
     const std::vector<int> levels{1, 2, 4, 8, 16, 32, 64, 125};
-    course::Progress       progress("racing by triangles", int(levels.size()));
+    const auto             cost = [](int level) { return 140'000 + 64 * level * level; };  // measured once
+    int                    all  = 0;
+    for (const int level : levels) all += cost(level);
+    course::Progress progress("racing by triangles", all);
     for (const int level : levels) {
         const Race race(level, side);
         add(chart, curves, race, chapter.options(), double(race.triangles()));
-        progress.tick();
+        progress.tick(cost(level));
     }
     chart.caption(mark_crossing(chart, curves, "rasteriser", "rays, hierarchy") + scaled);
     say_times(chapter, curves, "triangles");
@@ -144,11 +147,14 @@ inline void race_by_pixels(course::Chapter& chapter, int side) {
     Curves           curves;
     std::vector<int> edges{16};
     while (edges.back() < 2 * side) edges.push_back(2 * edges.back());
-    course::Progress progress("racing by pixels", int(edges.size()));
+    const auto cost = [](int edge) { return 1'000'000 + edge * edge; };  // measured once
+    int        all  = 0;
+    for (const int edge : edges) all += cost(edge);
+    course::Progress progress("racing by pixels", all);
     for (const int edge : edges) {
         const Race race(level, edge);
         add(chart, curves, race, chapter.options(), double(race.pixels()));
-        progress.tick();
+        progress.tick(cost(edge));
     }
     chart.caption(mark_crossing(chart, curves, "rays, hierarchy", "rasteriser") + scaled);
     say_times(chapter, curves, "pixels");

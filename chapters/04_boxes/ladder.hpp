@@ -28,6 +28,14 @@ struct Climb {
     double      error, error_se;         ///< share of rays that it answers unlike brute force
 };
 
+/// How long the climb of a mesh takes, relative to other meshes; as measured once, for the progress alone.
+[[nodiscard]] inline int expected_cost(const Mesh<float>& mesh) {
+    const auto n        = int(mesh.faces.size());
+    const int  asking   = 250 * std::min(n, 250);   // all triangles: from then on, by fewer rays
+    const int  building = n > 300'000 ? n / 4 : n;  // once, or again and again
+    return 7'000 + asking + building;
+}
+
 /// Every n-th face of a mesh.
 [[nodiscard]] inline Mesh<float> thinned(const Mesh<float>& mesh, std::size_t count) {
     Mesh<float> result{mesh.vertices, {}};

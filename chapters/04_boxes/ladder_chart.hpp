@@ -108,9 +108,11 @@ private:
 
 /// Runs all rungs on all meshes: how fast they are, what they take to build, when that has paid.
 inline void climb_the_ladder(course::Chapter& chapter) {
-    LadderCharts     charts(chapter);
-    const auto       meshes = ladder_meshes(chapter.options().quality == course::Quality::draft);
-    course::Progress progress("climbing the ladder", int(meshes.size()));
+    LadderCharts charts(chapter);
+    const auto   meshes = ladder_meshes(chapter.options().quality == course::Quality::draft);
+    int          cost   = 0;
+    for (const auto& mesh : meshes) cost += expected_cost(mesh);
+    course::Progress progress("climbing the ladder", cost);
     double           differing = 0;
     for (const auto& mesh : meshes) {
         const Ladder ladder(mesh, chapter.options());
@@ -119,7 +121,7 @@ inline void climb_the_ladder(course::Chapter& chapter) {
             charts.add(ladder.triangles(), climb, climbs.front(), climbs.back());
             differing += climb.error;
         }
-        progress.tick();
+        progress.tick(expected_cost(mesh));
     }
     chapter.say(charts.table());
     chapter.claim("4.7 rays that a hierarchy answers unlike all triangles do, on any rung",
