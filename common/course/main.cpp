@@ -61,6 +61,8 @@ public:
             fmt::print(stderr, "\r\x1b[K{}", line.substr(0, 78));  // a line that wraps could not be cleared
             std::fflush(stderr);
             is_shown_ = true;
+        } else if (line.starts_with("[1/") && line.find(']') > 4) {  // ten steps or more
+            fmt::print(stderr, "course: building, this takes a minute or more\n");
         }
     }
 
@@ -190,12 +192,15 @@ int figures(const course::Arguments& arguments) {
     if (chosen.empty()) chosen = chapters();
     if (const int code = build(chosen); code != 0) return code;
 
-    int worst = 0;
+    int   worst = 0;
+    Words failed;
     for (const std::string& chapter : chosen) {
         const int code = run_chapter(chapter, arguments.shared);
         if (code > 128) return code;  // interrupted
+        if (code != 0) failed.push_back(chapter);
         worst = std::max(worst, code);
     }
+    if (!failed.empty()) fmt::print(stderr, "course: failed: {}; see above\n", fmt::join(failed, ", "));
     if (worst == 0 && arguments.has("--publish"))
         for (const std::string& chapter : chosen) publish(chapter, out_of(arguments.shared));
     return worst;

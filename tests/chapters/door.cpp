@@ -92,7 +92,19 @@ TEST_CASE("a chapter's bad option passes through: one line, exit code 2") {
     for (const char* const chapter : {"1", "01", "rays", "01_rays"})
         check_refused(std::string("run ") + chapter + " --size 100000", "--size 100000");
     check_refused("run 01 --sise 100", "--size");
+    check_refused("run 02 --scene x.obj", "--scene: for the program of a chapter");
     CHECK(contains(run_course("run 01 --help").out, "--quality"));
+}
+
+TEST_CASE("the last line of figures names the chapters that failed") {
+    const ScratchFolder scratch{"door"};
+    const Ended         ended =
+        run_course(scratch.path, "figures 01 03 --quality draft --size 32 --samples 7 --out there");
+    CHECK(ended.code == 2);
+    CHECK(contains(ended.err, "01_rays: error: --samples 7: "));
+    CHECK(contains(ended.err, "03_triangles: --samples 7 changes nothing: "));
+    CHECK(ended.err.ends_with("course: failed: 01_rays; see above\n"));
+    CHECK(fs::exists(scratch.path / "there" / "03_triangles" / "claims.csv"));
 }
 
 TEST_CASE("a relative --out means the folder of the person who calls") {
@@ -149,6 +161,8 @@ TEST_CASE("Ctrl-C ends a chapter with 130 and leaves no part of a file") {
     CAPTURE(ended.err);
     REQUIRE(fs::exists(started));
     CHECK(ended.code == 130);
+    CHECK(contains(ended.err, "01_rays: interrupted: "));
+    CHECK(contains(ended.err, " so far in there/01_rays\n"));
     for (const auto& entry : fs::recursive_directory_iterator(scratch.path))
         CHECK_FALSE(entry.path().filename().string().starts_with('.'));
 }
