@@ -6,6 +6,8 @@
 /// predicted for free. Every ray asks every thing: what is prepared for a ray or for a triangle beforehand is not
 /// timed for each test.
 
+#include <fmt/format.h>
+
 #include <functional>
 #include <optional>
 #include <stdexcept>
@@ -44,7 +46,7 @@ constexpr int few     = 2;    // things of a kind that takes long
 
 /// One way to intersect: what all its tests hit.
 struct Contender {
-    std::string           thing, method, precision;
+    std::string           thing, method, effort, precision;
     std::function<long()> hits;
     double                tests;
 };
@@ -75,11 +77,12 @@ auto several(int count, const Make& make) {
 }
 
 /// Every ray against every thing.
+/// @param effort   how finely a search searches: its step or tolerance; "-" for what is no search
 /// @param prepare  makes of a ray what asks, once for all things
 /// @param test     whether what asks hits a thing
 template <class T, class Thing, class Prepare, class Test>
-Contender contender(std::string what, std::string method, std::vector<Ray<T>> rays, std::vector<Thing> things,
-                    Prepare prepare, Test test) {
+Contender contender(std::string what, std::string method, std::string effort, std::vector<Ray<T>> rays,
+                    std::vector<Thing> things, Prepare prepare, Test test) {
     const double tests = double(rays.size()) * double(things.size());
     const auto   hits  = [rays = std::move(rays), things = std::move(things), prepare, test] {
         long count = 0;
@@ -89,7 +92,12 @@ Contender contender(std::string what, std::string method, std::vector<Ray<T>> ra
         }
         return count;
     };
-    return {std::move(what), std::move(method), sizeof(T) == sizeof(float) ? "float" : "double", hits, tests};
+    return {std::move(what),
+            std::move(method),
+            std::move(effort),
+            sizeof(T) == sizeof(float) ? "float" : "double",
+            hits,
+            tests};
 }
 
 template <class T>
@@ -98,7 +106,7 @@ void add_shapes(std::vector<Contender>& all) {
     const auto same = [](const Ray<T>& ray) { return ray; };
 
     all.push_back(contender(
-        "plane", "(2.2)", rays,
+        "plane", "(2.2)", "-", rays,
         several(many,
                 [](Rng& rng) {
                     const auto point = in_ball<T>(1, rng);
@@ -106,12 +114,12 @@ void add_shapes(std::vector<Contender>& all) {
                 }),
         same, [](const Ray<T>& ray, const Plane<T>& plane) { return intersect(plane, ray).has_value(); }));
     all.push_back(contender(
-        "sphere", "(2.5)", rays,
+        "sphere", "(2.5)", "-", rays,
         several(many,
                 [](Rng& rng) { return Sphere<T>{.centre = in_ball<T>(T(0.5), rng), .radius = T(0.5)}; }),
         same, [](const Ray<T>& ray, const Sphere<T>& sphere) { return intersect(sphere, ray).has_value(); }));
     all.push_back(contender(
-        "box", "slabs", rays,
+        "box", "slabs", "-", rays,
         several(many,
                 [](Rng& rng) {
                     Box<T> box;
@@ -132,46 +140,50 @@ void add_triangles(std::vector<Contender>& all) {
     });
     const auto same      = [](const Ray<T>& ray) { return ray; };
 
-    all.push_back(contender("triangle", "Moeller-Trumbore", rays, triangles, same,
+    all.push_back(contender("triangle", "Moeller-Trumbore", "-", rays, triangles, same,
                             [](const Ray<T>& ray, const Triangle<T>& triangle) {
                                 return intersect_moeller_trumbore(triangle, ray, in_front<T>).has_value();
                             }));
-    all.push_back(contender("triangle", "plane and edges", rays,
+    all.push_back(contender("triangle", "plane and edges", "-", rays,
                             std::vector<PlaneTriangle<T>>(triangles.begin(), triangles.end()), same,
                             [](const Ray<T>& ray, const PlaneTriangle<T>& triangle) {
                                 return triangle.intersect(ray, in_front<T>).has_value();
                             }));
     all.push_back(contender(
-        "triangle", "watertight", rays, triangles, [](const Ray<T>& ray) { return TriangleRay<T>(ray); },
+        "triangle", "watertight", "-", rays, triangles, [](const Ray<T>& ray) { return TriangleRay<T>(ray); },
         [](const TriangleRay<T>& ray, const Triangle<T>& triangle) {
             return ray.intersect(triangle, in_front<T>).has_value();
         }));
 }
 
-/// All searches along a ray, each with a precision of 1e-4 and steps of 0.02.
+/// All searches along a ray.
 template <class T, class Surface>
 void add_searches(std::vector<Contender>& all, const std::string& name, const Surface& surface) {
     const auto rays = rays_from_all_sides<T>(8, T(3));
-    const auto add  = [&](const std::string& method, const auto& search) {
+    const auto add  = [&](const std::string& method, const std::string& effort, const auto& search) {
         all.push_back(contender(
-             name, method, rays, std::vector<Surface>(few, surface),
+             name, method, effort, rays, std::vector<Surface>(few, surface),
              [](const Ray<T>& ray) {
                 return Ray<T>{ray.origin, normalize(ray.direction)};
             },
              [search](const Ray<T>& ray, const Surface& one) { return search(one, ray).has_value(); }));
     };
-    const Interval<T> range     = in_front<T>;
-    const T           width     = T(1e-4);
+    const Interval<T> range = in_front<T>;
+    const double      step = 0.02, tolerance = 1e-4;
+    const std::string steps = fmt::format("step {}", step), within = fmt::format("tolerance {}", tolerance);
+    const T           width     = T(tolerance);
     const T           lipschitz = lipschitz_bound<T>(surface, surface.bounds());
     if constexpr (AlgebraicSurface<Surface, T>)
-        add("closed form", [=](const Surface& one, const Ray<T>& ray) { return solve(one, ray, range); });
-    add("marching", [=](const Surface& one, const Ray<T>& ray) { return march(one, ray, range, T(0.02)); });
-    add("sphere tracing", [=](const Surface& one, const Ray<T>& ray) {
+        add("closed form", "-",
+            [=](const Surface& one, const Ray<T>& ray) { return solve(one, ray, range); });
+    add("marching", steps,
+        [=](const Surface& one, const Ray<T>& ray) { return march(one, ray, range, T(step)); });
+    add("sphere tracing", within, [=](const Surface& one, const Ray<T>& ray) {
         return sphere_trace(one, ray, range, lipschitz, width);
     });
-    add("segment tracing",
+    add("segment tracing", within,
         [=](const Surface& one, const Ray<T>& ray) { return segment_trace(one, ray, range, width); });
-    add("intervals",
+    add("intervals", within,
         [=](const Surface& one, const Ray<T>& ray) { return bisect_intervals(one, ray, range, width); });
 }
 
@@ -198,12 +210,12 @@ course::Rows measure(const std::vector<Contender>& all) {
                          }});
     }
     const auto   timings = course::measure(works, repeats);
-    course::Rows rows{{"thing", "method", "precision", "ns", "min", "max", "hit_percent"}};
+    course::Rows rows{{"thing", "method", "effort", "precision", "ns", "min", "max", "hit_percent"}};
     for (std::size_t i = 0; i < all.size(); ++i) {
         const auto&  one = all[i];
         const double ns  = 1e9 / one.tests;
-        rows.add({one.thing, one.method, one.precision, ns * timings[i].median, ns * timings[i].min,
-                  ns * timings[i].max, 100 * double(one.hits()) / one.tests});
+        rows.add({one.thing, one.method, one.effort, one.precision, ns * timings[i].median,
+                  ns * timings[i].min, ns * timings[i].max, 100 * double(one.hits()) / one.tests});
     }
     if (total == 0) throw std::logic_error("no ray of the benchmark hit anything");
     return rows;
@@ -215,8 +227,7 @@ course::Rows measure(const std::vector<Contender>& all) {
 int main(int argc, char** argv) {
     return sr::course::run_benchmark(argc, argv,
                                      "Nanoseconds for one test of a ray: every intersector of the core, "
-                                     "float and double, one thread. Searches make "
-                                     "steps of 0.02 or stop at a tolerance of 0.0001; one with a tolerance "
+                                     "float and double, one thread. A search with a tolerance "
                                      "also hits what passes by so near.",
                                      [] {
                                          std::vector<sr::Contender> all;
