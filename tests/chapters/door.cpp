@@ -150,6 +150,18 @@ TEST_CASE("test and bench hand on what a person names") {
     CHECK(told("bench door").out == "cmake -P " + topic + "\n");
 }
 
+TEST_CASE("a long build is announced where its steps are not shown") {
+    const ScratchFolder scratch{"door"};
+    const auto          told = [&](const std::string& steps) {  // by a build of so many
+        return run_shell(scratch.path, "printf '#!/bin/sh\necho \"[1/" + steps +
+                                                    "] Building\"\n' >cmake; chmod +x cmake; PATH=$PWD:$PATH '" +
+                                                    (build_folder / "bin" / "course").string() + "' docs")
+            .err;
+    };
+    CHECK(told("10") == "course: building, this takes a minute or more\n");
+    CHECK(told("9") == "");
+}
+
 TEST_CASE("Ctrl-C ends a chapter with 130 and leaves no part of a file") {
     const ScratchFolder scratch{"door"};
     const std::string   course  = (build_folder / "bin" / "course").string();
