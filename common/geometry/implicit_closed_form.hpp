@@ -26,7 +26,8 @@ concept AlgebraicSurface = ImplicitSurface<Surface, T> &&
 /// length about 1: seen from a distance D, those of a quartic grow with D^4, and the digits of the roots go.
 /// @pre range.min >= 0
 template <std::floating_point T, AlgebraicSurface<T> Surface>
-[[nodiscard]] std::optional<T> solve(const Surface& surface, const Ray<T>& ray, Interval<T> range) {
+[[nodiscard]] std::optional<T> solve(const Surface& surface, const Ray<T>& ray,
+                                     Interval<T> range = in_front<T>) {
     const auto part = within_bounds(surface, ray, range);
     if (!part) return std::nullopt;
     const T    middle = part->min / 2 + part->max / 2;

@@ -38,7 +38,10 @@ template <std::floating_point T, ImplicitSurface<T> Surface>
 /// @param lipschitz  L, see lipschitz_bound; where it is too small, the ray may pass through the surface
 /// @param tolerance  in units of t: nearer, the surface counts as hit. A ray that passes it nearer than that is hit
 ///                   wrongly; one that grazes it gives up after 4096 steps.
-/// @pre   tolerance >= 0, range.min >= 0; the ray starts farther from the surface than the tolerance
+/// @pre   tolerance >= 0, range.min >= 0; the ray starts farther from the surface than the tolerance. One that leaves
+///        this surface does not, and is hit where it starts. It may be traced with a tolerance of 0, from where `leave`
+///        has it start, and if it grazes the surface gives up; `solve` loses none
+/// @see   implicit_offset.hpp
 /// @see   Hart, Sphere Tracing, The Visual Computer 12 (1996)
 template <std::floating_point T, ImplicitSurface<T> Surface>
 [[nodiscard]] std::optional<T> sphere_trace(const Surface& surface, const Ray<T>& ray, Interval<T> range,

@@ -7,8 +7,7 @@
 ///     trace(leave(p, direction));                                   // from t = 0 on, without an epsilon
 ///     const bool lit = !hierarchy.occluded(between(p, on_the_light), before_the_end<float>);
 ///
-/// For spheres, planes and triangles. A hit of an implicit surface is not on it to rounding, and no SurfacePoint: it
-/// would first have to be brought back, by a step of f / |grad f|^2 along the gradient.
+/// For spheres, planes and triangles. For implicit surfaces, see implicit_offset.hpp.
 
 #include <cmath>
 #include <concepts>
