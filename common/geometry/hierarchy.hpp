@@ -28,13 +28,15 @@ struct HierarchyOptions {
     std::uint32_t asked_straight = 3;
 };
 
+/// Keeps copies of the triangles: the mesh may go. Distances t, and ranges of them, count in units of |d|.
 template <std::floating_point T>
 class Hierarchy {
 public:
+    /// @pre the faces' indices are those of vertices; a triangle that is not finite is never hit
     explicit Hierarchy(const Mesh<T>& mesh, HierarchyOptions options = {}) {
         auto triangles = face_triangles(mesh);
         if (triangles.size() > options.asked_straight) {
-            tree_ = build_hierarchy<T>(triangles, options.cut);
+            tree_ = build_hierarchy(triangles, options.cut);
         } else {
             tree_.root      = {0, std::uint32_t(triangles.size())};
             tree_.triangles = std::move(triangles);

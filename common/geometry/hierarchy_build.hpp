@@ -71,7 +71,7 @@ private:
 
 /// The hierarchy of some triangles, none of them left out.
 template <std::floating_point T>
-[[nodiscard]] HierarchyTree<T> build_hierarchy(std::span<const FaceTriangle<T>> triangles, Cut cut) {
+[[nodiscard]] HierarchyTree<T> build_hierarchy(const std::vector<FaceTriangle<T>>& triangles, Cut cut) {
     if (triangles.empty()) return {};
     std::vector<BoxReference<T>> references;
     references.reserve(triangles.size());

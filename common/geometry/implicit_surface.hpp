@@ -3,6 +3,9 @@
 /// Surfaces that are an equation, f(x, y, z) = 0. Each is a struct with one formula, written for any number type:
 /// of numbers it is the value, of dual numbers also the gradient, of intervals bounds of the value in a box, and of
 /// polynomials in t the coefficients of f along a ray.
+///
+///     const Torus<float> torus{2, 0.5F};
+///     if (const auto t = solve(torus, ray)) shade(normal(torus, ray.at(*t), ray.direction));
 
 #include <algorithm>
 #include <cmath>

@@ -12,6 +12,7 @@ namespace sr {
 /// A ring around the z axis, a tube of radius `tube` around a circle of radius `ring`, equation (2.10):
 /// (x^2 + y^2 + z^2 + R^2 - r^2)^2 = 4 R^2 (x^2 + y^2).
 /// @pre 0 < tube < ring
+/// @see implicit_surface.hpp: how a ray finds it
 template <std::floating_point T>
 struct Torus {
     T ring;  ///< R

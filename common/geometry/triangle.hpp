@@ -1,6 +1,9 @@
 #pragma once
 /// @file triangle.hpp
 /// A ray meets a triangle, in such a way that no ray slips between two triangles that share an edge.
+///
+///     const TriangleRay<float> seen(ray);  // once for all triangles
+///     if (const auto hit = seen.intersect(triangle)) shade(surface_point(triangle, hit->uv));
 
 #include <algorithm>
 #include <cmath>
@@ -71,7 +74,8 @@ public:
     /// @see Woop, Benthin & Wald, Watertight Ray/Triangle Intersection, JCGT 2(1), 2013. They compute the edge
     ///      functions plainly and repeat them in double where one is zero; here Kahan's difference of products
     ///      gives the weights their digits at once, and in any precision.
-    [[nodiscard]] std::optional<Hit<T>> intersect(const Triangle<T>& triangle, Interval<T> range) const {
+    [[nodiscard]] std::optional<Hit<T>> intersect(const Triangle<T>& triangle,
+                                                  Interval<T>        range = in_front<T>) const {
         const Seen a = seen(triangle.a);
         const Seen b = seen(triangle.b);
         const Seen c = seen(triangle.c);

@@ -24,7 +24,7 @@ public:
     MistakenHierarchy(const Mesh<float>& mesh, Mistake mistake) : mistake_(mistake) {
         auto triangles = face_triangles(mesh);
         for (auto& triangle : triangles) triangle.face = renamed(triangle.face);
-        tree_ = build_hierarchy<float>(triangles, Cut::binned);
+        tree_ = build_hierarchy(triangles, Cut::binned);
     }
 
     [[nodiscard]] std::optional<MeshHit<float>> nearest(const Ray<float>& ray,
