@@ -3,7 +3,6 @@
 /// Rasteriser and ray tracer against the clock, one thread each, on the teapot at any fineness.
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -14,6 +13,7 @@
 #include "sampling/rng.hpp"
 #include "scene/rasteriser.hpp"
 #include "scenes.hpp"
+#include "statistics/estimate.hpp"
 #include "transport/primary.hpp"
 #include "wrong_pixels.hpp"
 
@@ -82,15 +82,10 @@ private:
 
     [[nodiscard]] Lap lap(const course::Timing& timing, double scale, const VisibilityImage<float>& image,
                           const std::vector<Pixel>& where) const {
-        const int    wrong = wrong_pixels(image, reference_, where);
-        const double n     = double(where.size());
-        // All pixels leave nothing to chance. Of a sample, the error is that of the share (wrong + 1) / (n + 2),
-        // which is not zero where none was wrong (Laplace).
-        const bool   all = where.size() == image.pixels().size();
-        const double p   = (wrong + 1) / (n + 2);
-        return {timing.name,        timing.median * scale,
-                timing.min * scale, timing.max * scale,
-                wrong / n,          all ? 0 : std::sqrt(p * (1 - p) / n)};
+        const Estimate wrong = share(wrong_pixels(image, reference_, where), where.size());
+        const bool     all   = where.size() == image.pixels().size();  // which leaves nothing to chance
+        return {timing.name,        timing.median * scale, timing.min * scale,
+                timing.max * scale, wrong.value,           all ? 0 : wrong.error};
     }
 
     [[nodiscard]] static Lap with_build(const course::Timing& build, Lap traced) {

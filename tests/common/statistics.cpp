@@ -6,9 +6,11 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include "sampling/rng.hpp"
+#include "statistics/estimate.hpp"
 #include "statistics/running.hpp"
 #include "statistics/slope.hpp"
 #include "statistics/tests.hpp"
@@ -207,4 +209,40 @@ TEST_CASE("chi-square: counts that don't belong to the expectation are refused")
     CHECK_THROWS_AS(
         static_cast<void>(chi_square_test(std::array<std::uint64_t, 2>{2, 2}, std::array{2.0, 2.0})),
         std::invalid_argument);
+}
+
+TEST_CASE("a share's error is Laplace's: not 0 where nothing was seen, nor where all was") {
+    const double error = std::sqrt(0.01 * 0.99 / 98);  // of one in a hundred
+    for (const auto& [count, value] : {std::pair{0, 0.0}, {98, 1.0}}) {
+        CHECK(share(count, 98).value == value);
+        CHECK(relative_error(share(count, 98).error, error) <= 1e-15);
+        CHECK(percent(share(count, 98)).value == 100 * value);
+        CHECK(relative_error(percent(share(count, 98)).error, 100 * error) <= 1e-15);
+    }
+}
+
+TEST_CASE("shares and medians scatter by their standard errors") {
+    constexpr int samples = 400, repeats = 4000;
+    Running       shares, share_errors, medians, median_errors;
+    for (int i = 0; i < repeats; ++i) {
+        Rng                 rng{31, i, 0, 0};
+        std::vector<double> values;
+        int                 count = 0;
+        for (int k = 0; k < samples; ++k) {
+            values.push_back(rng.uniform<double>());
+            count += values.back() < 0.2 ? 1 : 0;
+        }
+        const Estimate s = share(count, samples), m = median(values);
+        shares.add(s.value);
+        share_errors.add(s.error);
+        medians.add(m.value);
+        median_errors.add(m.error);
+    }
+    // A share p scatters by sqrt(p (1 - p) / n), the median of uniform numbers by sqrt(1 / 4 n); a scatter that is
+    // seen 4000 times is known to 1.1 %, of which this is five times as much.
+    const double of_share = std::sqrt(0.2 * 0.8 / samples), of_median = 0.5 / std::sqrt(samples);
+    CHECK(relative_error(std::sqrt(shares.variance()), of_share) <= 0.056);
+    CHECK(relative_error(share_errors.mean(), of_share) <= 0.01);
+    CHECK(relative_error(std::sqrt(medians.variance()), of_median) <= 0.056);
+    CHECK(relative_error(median_errors.mean(), of_median) <= 0.02);
 }
