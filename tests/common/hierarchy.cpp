@@ -279,6 +279,24 @@ TEST_CASE("a walk that is counted says how many nodes and triangles it took") {
     CHECK(straight.triangles == mesh.faces.size());
 }
 
+TEST_CASE(
+    "the nearer child goes first: of walls one behind the other, a ray asks those around the first only") {
+    Mesh<float> walls;
+    for (std::uint32_t i = 0; i < 64; ++i) {
+        const auto z = float(i);
+        walls.vertices.insert(walls.vertices.end(), {{-1, -1, z}, {3, -1, z}, {-1, 3, z}});
+        walls.faces.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+    }
+    // Sixteen leaves of four walls, four nodes below the root's. From both sides: neither child is always first.
+    const Hierarchy<float> hierarchy(walls, {.cut = Cut::median});
+    for (const Ray<float>& ray : {Ray<float>{{0, 0, -1}, {0, 0, 1}}, {{0, 0, 64}, {0, 0, -1}}}) {
+        WalkCount count;
+        REQUIRE(hierarchy.nearest(ray, in_front<float>, count));
+        CHECK(count.nodes == 4);
+        CHECK(count.triangles == 4);
+    }
+}
+
 TEST_CASE("by the cost that they minimise, sweeping is no worse than bins, and bins are better than halves") {
     const auto mesh = convert<float>(teapot(8));
     const auto cost = [&](Cut cut) {
