@@ -21,6 +21,7 @@ namespace sr {
 struct Shot {
     Triangle<double> triangle;
     Ray<double>      ray;
+    Vector2<double>  uv;  ///< of the point
 };
 
 [[nodiscard]] inline Shot random_shot(int number) {
@@ -32,7 +33,7 @@ struct Shot {
         const auto   direction = normalize(a + b1 * (b - a) + b2 * (c - a) - origin);
         const auto   n         = cross(b - a, c - a);
         if (length(n) > 0.1 && std::abs(dot(n, direction)) > 0.1 * length(n))
-            return {{a, b, c}, {origin, direction}};
+            return {{a, b, c}, {origin, direction}, {b1, b2}};
     }
 }
 

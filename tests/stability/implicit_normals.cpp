@@ -108,5 +108,6 @@ TEST_CASE("S22: where the gradient is 0 the textbook's normal is NaN, and ours f
         inwards += dot(normal(SquaredSphere{}, p, -p), p) < 0 ? 1 : 0;
         CHECK(dot(normal(Ellipsoid<double>{{1, 1, 1}}, p, -p), p) > 0.999);
     }
-    CHECK(inwards > 50);
+    // Of a million such points, 69.2 % have |p|^2 = 1 as rounded, and no gradient; 20.5 % are inside.
+    CHECK(test::within_factor_3(inwards, 205));
 }

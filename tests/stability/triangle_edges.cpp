@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "../../chapters/03_triangles/attack.hpp"
 #include "catalogue.hpp"
 #include "geometry/hierarchy.hpp"
 #include "geometry/moeller_trumbore.hpp"
@@ -16,12 +17,6 @@ using namespace sr;
 using test::within_factor_3;
 
 namespace {
-
-/// In [-1, 1]^3.
-Vector3<double> in_cube(Rng& rng) {
-    const double x = rng.uniform<double>(), y = rng.uniform<double>(), z = rng.uniform<double>();
-    return 2.0 * Vector3<double>{x, y, z} - 1.0;
-}
 
 /// Two triangles a, b, c and b, a, d, and a ray at a point of the edge from a to b that is as near to it as T says.
 template <class T>
