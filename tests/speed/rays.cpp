@@ -55,7 +55,8 @@ bool hits(const Surfaces& surfaces, const Ray<float>& ray, Interval<float> range
     return surfaces.nearest(ray, range).has_value();
 }
 
-/// Primary rays, and from where they hit a bounce and a ray to the light.
+/// Primary rays, and from where they hit a bounce and a ray to the light. The latter starts on the light's side of the
+/// surface: inside the pot, where that turns its back to the light.
 std::vector<RaySet> ray_sets(const Mesh<float>& mesh, const Hierarchy<float>& hierarchy) {
     const Vector3<double> eye{2.6, -8.2, 4.2}, target{0.2, 0, 1.45};
     const auto            camera = convert<float>(
