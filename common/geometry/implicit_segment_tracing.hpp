@@ -16,7 +16,8 @@ namespace sr {
 /// the ray ahead instead of one for the whole surface: intervals give it anew at each step. Steps are fewer, dearer
 /// each, and no constant need be known.
 /// @param tolerance  in units of t, as of sphere tracing; a ray that grazes the surface gives up after 4096 steps
-/// @pre   tolerance >= 0, range.min >= 0; the ray starts farther from the surface than the tolerance
+/// @pre   tolerance >= 0, range.min >= 0; the ray starts farther from the surface than the tolerance, as
+///        sphere_trace says: `solve` finds what rays that leave the surface meet
 /// @see   Galin et al., Segment Tracing Using Local Lipschitz Bounds, Computer Graphics Forum 39(2), 2020
 template <std::floating_point T, ImplicitSurface<T> Surface>
 [[nodiscard]] std::optional<T> segment_trace(const Surface& surface, const Ray<T>& ray, Interval<T> range,

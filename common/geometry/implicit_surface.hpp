@@ -22,7 +22,8 @@
 
 namespace sr {
 
-/// A surface is where f is 0; f is negative inside. What lies outside its bounds is cut off.
+/// A surface is where f is 0; f is negative inside. What lies outside its bounds is cut off: a surface that is moved
+/// or scaled gives its bounds room for the rounding of both.
 template <class Surface, class T>
 concept ImplicitSurface = requires(const Surface surface, T x, Interval<T> range, Dual<Interval<T>, 1> dual) {
     { surface.f(x, x, x) } -> std::same_as<T>;
