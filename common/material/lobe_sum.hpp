@@ -4,8 +4,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <concepts>
+#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <type_traits>
@@ -17,13 +19,14 @@
 #include "material/dielectric.hpp"
 #include "material/diffuse.hpp"
 #include "material/mirror.hpp"
+#include "material/phong.hpp"
 #include "radiometry/spectrum.hpp"
 
 namespace sr {
 
 /// All lobes there are.
 template <std::floating_point T>
-using Lobe = std::variant<Diffuse<T>, Mirror<T>, Dielectric<T>>;
+using Lobe = std::variant<Diffuse<T>, Mirror<T>, Phong<T>, Dielectric<T>>;
 
 template <std::floating_point T>
 struct WeightedLobe {
@@ -31,23 +34,37 @@ struct WeightedLobe {
     Lobe<T>  lobe;
 };
 
-/// The sum of weighted lobes. As no lobe gives back more light than it gets, nor does a sum whose weights add up to
-/// at most 1: energy is conserved because the constructor says so.
+/// The most that a lobe gives back of the light from any one direction: 1, but for one that says otherwise.
+template <std::floating_point T>
+[[nodiscard]] T greatest_albedo(const Lobe<T>& lobe) {
+    return std::visit(
+        [](const auto& one) {
+            if constexpr (requires { one.greatest_albedo(); })
+                return one.greatest_albedo();
+            else
+                return T{1};
+        },
+        lobe);
+}
+
+/// The sum of weighted lobes. It gives back no more light than it gets, in no channel and from no direction, because
+/// its constructor adds up what its lobes can give back at most.
 template <std::floating_point T>
 class LobeSum {
 public:
     /// Black, and opaque.
     LobeSum() = default;
 
-    /// @throws std::invalid_argument if a weight isn't from 0 to 1, or if in a channel they add up to more than 1
+    /// @throws std::invalid_argument if a weight isn't from 0 to 1, or if in a channel the lobes' greatest albedos,
+    ///         weighted, add up to more than 1
     explicit LobeSum(std::vector<WeightedLobe<T>> lobes) : lobes_{std::move(lobes)} {
         Spectrum sum;
         for (const auto& [weight, lobe] : lobes_) {
             if (!each_in(weight, 0, 1)) refuse("a lobe's weight", weight);
-            sum = sum + weight;
+            sum = sum + float(greatest_albedo(lobe)) * weight;
         }
         constexpr float rounding = 1 + 1e-6F;  // 0.7 + 0.3 may exceed 1 by a last digit
-        if (!each_in(sum, 0, rounding)) refuse("the sum of the lobes' weights", sum);
+        if (!each_in(sum, 0, rounding)) refuse("the albedo of the lobes' sum", sum);
     }
 
     [[nodiscard]] const std::vector<WeightedLobe<T>>& lobes() const { return lobes_; }
@@ -66,30 +83,40 @@ public:
         return sum;
     }
 
-    /// Draws from one of the lobes, which is chosen as often as its mean weight demands.
+    /// Draws from one of the lobes, each as often as its share of the light.
     [[nodiscard]] std::optional<BsdfSample<T, Spectrum>> sample(
         const Vector3<T>& wo, Vector2<T> u, TransportMode mode = TransportMode::radiance) const {
         for (const auto& part : lobes_) {
-            const auto p = T(chance(part));
-            if (u.x >= p) {
+            const auto p    = T(chance(part));
+            const bool last = &part == &lobes_.back();
+            if (!(p > 0) || (u.x >= p && !last)) {
                 u.x -= p;
                 continue;
             }
-            u.x /= p;  // uniform again: what is left of the number that chose
-            const auto one =
-                std::visit([&](const auto& lobe) { return lobe.sample(wo, u, mode); }, part.lobe);
-            if (!one) return std::nullopt;
-            if (one->is_delta)
-                return BsdfSample<T, Spectrum>{one->wi, float(one->weight / p) * part.weight, {}, true};
-            const auto density = pdf(wo, one->wi);
-            if (!(density.value > 0)) return std::nullopt;
-            return BsdfSample<T, Spectrum>{
-                one->wi, float(std::abs(one->wi.z) / density.value) * f(wo, one->wi), density};
+            // what is left of the number that chose is uniform again; rounding may leave a little more than p
+            u.x = std::min(u.x / p, largest_below_1);
+            return weighted(part, p, wo, u, mode);
         }
         return std::nullopt;
     }
 
 private:
+    static constexpr T largest_below_1 = 1 - std::numeric_limits<T>::epsilon() / 2;
+
+    /// What one lobe, chosen with probability p, draws. Of lobes that spread light the whole sum's f and pdf count.
+    [[nodiscard]] std::optional<BsdfSample<T, Spectrum>> weighted(const WeightedLobe<T>& part, T p,
+                                                                  const Vector3<T>& wo, Vector2<T> u,
+                                                                  TransportMode mode) const {
+        const auto one = std::visit([&](const auto& lobe) { return lobe.sample(wo, u, mode); }, part.lobe);
+        if (!one) return std::nullopt;
+        if (one->is_delta)
+            return BsdfSample<T, Spectrum>{one->wi, float(one->weight / p) * part.weight, {}, true};
+        const auto density = pdf(wo, one->wi);
+        if (!(density.value > 0)) return std::nullopt;
+        return BsdfSample<T, Spectrum>{one->wi, float(std::abs(one->wi.z) / density.value) * f(wo, one->wi),
+                                       density};
+    }
+
     [[noreturn]] static void refuse(const char* what, Spectrum s) {
         throw std::invalid_argument(
             fmt::format("{} is ({}, {}, {}); each must be from 0 to 1", what, s.r, s.g, s.b));
@@ -117,10 +144,14 @@ private:
             lobe);
     }
 
+    /// A lobe's share of what all give back at most, the mean of the channels.
     [[nodiscard]] double chance(const WeightedLobe<T>& part) const {
+        const auto given = [](const WeightedLobe<T>& one) {
+            return double(mean(one.weight)) * double(greatest_albedo(one.lobe));
+        };
         double sum = 0;
-        for (const auto& other : lobes_) sum += double(mean(other.weight));
-        return sum > 0 ? double(mean(part.weight)) / sum : 0;
+        for (const auto& other : lobes_) sum += given(other);
+        return sum > 0 ? given(part) / sum : 0;
     }
 
     std::vector<WeightedLobe<T>> lobes_;

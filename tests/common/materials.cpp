@@ -138,7 +138,7 @@ TEST_CASE("lobe sum: without light nothing is drawn, and more light than arrives
                       "a lobe's weight is (0, -0.5, 0); each must be from 0 to 1");
     CHECK_THROWS_AS((void)refused({{{0, 0, std::nanf("")}, Mirror<float>{}}}), std::invalid_argument);
     CHECK_THROWS_WITH((void)refused({{{0.75F, 0, 0}, Diffuse<float>{}}, {{0.5F, 0, 0}, Mirror<float>{}}}),
-                      "the sum of the lobes' weights is (1.25, 0, 0); each must be from 0 to 1");
+                      "the albedo of the lobes' sum is (1.25, 0, 0); each must be from 0 to 1");
     CHECK_NOTHROW(
         (void)refused({{{0.7F, 0.6F, 0.9F}, Diffuse<float>{}}, {{0.3F, 0.4F, 0.1F}, Mirror<float>{}}}));
 }
