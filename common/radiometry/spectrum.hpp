@@ -13,7 +13,10 @@ struct Spectrum {
     float b = 0;
 
     friend constexpr Spectrum operator+(Spectrum s, Spectrum t) { return {s.r + t.r, s.g + t.g, s.b + t.b}; }
+    friend constexpr Spectrum operator-(Spectrum s, Spectrum t) { return {s.r - t.r, s.g - t.g, s.b - t.b}; }
     friend constexpr Spectrum operator*(float k, Spectrum s) { return {k * s.r, k * s.g, k * s.b}; }
+    friend constexpr Spectrum operator*(Spectrum s, float k) { return k * s; }
+    friend constexpr Spectrum operator/(Spectrum s, float k) { return {s.r / k, s.g / k, s.b / k}; }
     friend constexpr Spectrum operator*(Spectrum s, Spectrum t) { return {s.r * t.r, s.g * t.g, s.b * t.b}; }
     friend constexpr bool     operator==(Spectrum, Spectrum) = default;
 };
