@@ -14,6 +14,7 @@
 #include "geometry/sphere.hpp"
 #include "geometry/triangle.hpp"
 #include "math/frame.hpp"
+#include "sampling/cone.hpp"
 #include "sampling/rng.hpp"
 #include "statistics/tests.hpp"
 
@@ -26,16 +27,12 @@ struct Cone {
     Vector3<double> axis;
     double          s = 1;
 
-    /// 1 - cos, without the cancellation of small angles.
-    [[nodiscard]] double height() const { return s * s / (1 + std::sqrt(1 - s * s)); }
-    [[nodiscard]] double solid_angle() const { return 2 * std::numbers::pi * height(); }
+    [[nodiscard]] double solid_angle() const { return 2 * std::numbers::pi * cone_height(s); }
 
-    /// Uniformly distributed: so is the height (Archimedes).
+    /// Uniformly distributed.
     [[nodiscard]] Vector3<double> direction(Rng& rng) const {
-        const double h   = rng.uniform<double>() * height();
-        const double phi = 2 * std::numbers::pi * rng.uniform<double>();
-        const double r   = std::sqrt(h * (2 - h));
-        return frame_around(normalize(axis)).to_world({r * std::cos(phi), r * std::sin(phi), 1 - h});
+        const double u = rng.uniform<double>();
+        return frame_around(normalize(axis)).to_world(sample_cone({u, rng.uniform<double>()}, s));
     }
 };
 
