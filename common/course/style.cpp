@@ -27,7 +27,7 @@ constexpr double points_per_unit = 16 / 2.54 * 72 / Canvas::width * 72 / 96;
 
 std::string_view hex(Ink ink) {
     constexpr std::array colours{"#0072b2", "#d55e00", "#00845f", "#b04a86",
-                                 "#a07000", "#2a8fc4", "#222222", "#767676"};
+                                 "#a07000", "#222222", "#2a8fc4", "#767676"};
     static_assert(colours.size() == inks);
     return colours[std::size_t(ink)];
 }

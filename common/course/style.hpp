@@ -10,7 +10,7 @@ namespace sr::course {
 
 /// Colours that people with any colour vision tell apart: those of Okabe and Ito (2008), the light ones darkened
 /// until each has a contrast of at least 3:1 against white. The order is that of a chart's curves.
-enum class Ink { blue, vermilion, green, purple, amber, sky, black, grey };
+enum class Ink { blue, vermilion, green, purple, amber, black, sky, grey };
 inline constexpr int inks = 8;
 
 /// "#0072b2"
