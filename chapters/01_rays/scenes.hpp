@@ -26,7 +26,7 @@ struct Shot {
 }
 
 [[nodiscard]] inline Scene teapot_scene(int level) {
-    Scene scene{teapot(level), {{"glazed clay", {0.75F, 0.75F, 0.75F}, {}}}, {}};
+    Scene scene{teapot(level), {diffuse_material("glazed clay", {0.75F, 0.75F, 0.75F})}, {}};
     scene.material_of_face.assign(scene.mesh.faces.size(), 0);
     return scene;
 }

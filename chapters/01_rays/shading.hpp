@@ -65,7 +65,7 @@ struct Look {
     const auto  cosine = float(-dot(n, d) / length(d));
     return {{grey, grey, grey},
             {rgb.x, rgb.y, rgb.z},
-            cosine * scene.materials[scene.material_of_face[face]].reflectance};
+            cosine * scene.materials[scene.material_of_face[face]].reflectance()};
 }
 
 }  // namespace sr

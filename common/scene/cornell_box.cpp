@@ -10,6 +10,22 @@ Scene cornell_box() {
     return read_obj(STERADIAN_SCENE_DATA "/cornell_box.obj");
 }
 
+Scene cornell_box_with_balls() {
+    constexpr std::size_t walls_and_lamp = 12;  // faces, before those of the blocks
+    Scene                 scene          = cornell_box();
+    scene.mesh.faces.resize(walls_and_lamp);
+    scene.material_of_face.resize(walls_and_lamp);
+
+    const auto mirror = std::uint32_t(scene.materials.size()), glass = mirror + 1;
+    scene.materials.push_back({"mirror", LobeSum<float>{{{{0.9F, 0.9F, 0.9F}, Mirror<float>{}}}}});
+    scene.materials.push_back({"glass", LobeSum<float>{{{{1, 1, 1}, Dielectric<float>{1.5F}}}}});
+    scene.balls = {{{{390, 105, 370}, 105}, mirror}, {{{165, 95, 190}, 95}, glass}};
+
+    constexpr float lamp_area = 130 * 105;  // [mm^2]
+    scene.lights.push_back({{278, 440, 279.5}, lamp_area * Spectrum{17, 12, 4}});
+    return scene;
+}
+
 Camera<double> cornell_box_camera(int side) {
     constexpr Vector3<double> position{278, 273, -800}, direction{0, 0, 1}, up{0, 1, 0};
     return pinhole_camera(position, direction, up, cornell_camera::focal_length, cornell_camera::film_side,

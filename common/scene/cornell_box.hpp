@@ -13,6 +13,11 @@ namespace sr {
 /// @throws std::runtime_error when the file of its data can't be read
 [[nodiscard]] Scene cornell_box();
 
+/// The walls and the lamp of the box; in place of the blocks a ball of mirror and one of glass, n = 1.5. It is lit by
+/// a point light a hand's breadth below the lamp, with the lamp's intensity straight down.
+/// @throws std::runtime_error when the file of its data can't be read
+[[nodiscard]] Scene cornell_box_with_balls();
+
 /// The published lens and film, lengths in another unit than the box: only their ratio matters to a pinhole.
 namespace cornell_camera {
 inline constexpr double focal_length = 0.035;

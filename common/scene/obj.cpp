@@ -6,6 +6,7 @@
 
 #include <stdexcept>
 
+#include "scene/mtl_check.hpp"
 #include "scene/obj_check.hpp"
 
 namespace sr {
@@ -13,6 +14,18 @@ namespace {
 
 Spectrum to_spectrum(const double (&rgb)[3]) {
     return {float(rgb[0]), float(rgb[1]), float(rgb[2])};
+}
+
+LobeSum<float> scattering_of(const tinyobj::material_t& material) {
+    const Spectrum Kd = to_spectrum(material.diffuse), Ks = to_spectrum(material.specular);
+    switch (mtl_model(material.illum)) {
+        case MtlModel::glass:
+            return LobeSum<float>{{{{1, 1, 1}, Dielectric<float>{float(material.ior)}}}};
+        case MtlModel::mirror:
+            return LobeSum<float>{{{Kd, Diffuse<float>{}}, {Ks, Mirror<float>{}}}};
+        default:
+            return LobeSum<float>{{{Kd, Diffuse<float>{}}}};
+    }
 }
 
 tinyobj::ObjReader parse(const CheckedObj& text, const std::filesystem::path& path) {
@@ -36,8 +49,7 @@ Scene read_obj(const std::filesystem::path& path) {
     for (std::size_t i = 0; i < xyz.size(); i += 3)
         scene.mesh.vertices.emplace_back(xyz[i], xyz[i + 1], xyz[i + 2]);
     for (const auto& material : reader.GetMaterials()) {
-        scene.materials.push_back(
-            {material.name, to_spectrum(material.diffuse), to_spectrum(material.emission)});
+        scene.materials.push_back({material.name, scattering_of(material), to_spectrum(material.emission)});
     }
 
     const auto grey     = std::uint32_t(scene.materials.size());
@@ -54,7 +66,7 @@ Scene read_obj(const std::filesystem::path& path) {
         }
     }
     constexpr auto rho = float(default_reflectance);
-    if (any_grey) scene.materials.push_back({"grey", {rho, rho, rho}, {}});
+    if (any_grey) scene.materials.push_back(diffuse_material("grey", {rho, rho, rho}));
     return scene;
 }
 

@@ -7,16 +7,14 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <cmath>
-#include <limits>
-#include <optional>
-#include <set>
 #include <span>
 #include <stdexcept>
 #include <string_view>
 #include <vector>
 
+#include "scene/mtl_check.hpp"
 #include "scene/obj_statements.hpp"
+#include "scene/obj_words.hpp"
 #include "scene/text_file.hpp"
 
 namespace sr {
@@ -24,94 +22,10 @@ namespace {
 
 using std::filesystem::path;
 
-template <class... Values>
-[[noreturn]] void refuse(const path& file, const Statement& statement, fmt::format_string<Values...> problem,
-                         Values&&... values) {
-    throw std::runtime_error(fmt::format("{}:{}: ", file.string(), statement.line) +
-                             fmt::format(problem, std::forward<Values>(values)...));
-}
-
-/// A word for an error message, which must stay one line that can be read.
-std::string in_quotes(std::string_view word) {
-    return word.size() <= 40 ? fmt::format("'{}'", word) : fmt::format("'{}...'", word.substr(0, 37));
-}
-
-/// A decimal number that float can hold; in every locale.
-std::optional<double> parse_number(std::string_view word) {
-    if (word.starts_with('+') && !word.starts_with("+-")) word.remove_prefix(1);  // from_chars knows no plus
-    double value            = 0;
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-    if (error != std::errc{} || end != word.data() + word.size()) return {};
-    if (!(std::abs(value) <= std::numeric_limits<float>::max())) return {};  // nor nan and inf
-    return value;
-}
-
-/// The numbers after the keyword.
-std::vector<double> numbers(const path& file, const Statement& statement) {
-    std::vector<double> values;
-    for (const std::string_view word : std::span(statement.words).subspan(1)) {
-        const auto value = parse_number(word);
-        if (!value)
-            refuse(file, statement,
-                   "{} after {}; must be a finite number that float can hold, such as -1.5e3",
-                   in_quotes(word), statement.words[0]);
-        values.push_back(*value);
-    }
-    return values;
-}
-
-/// The one word after `usemtl` or `newmtl`.
-std::string name(const path& file, const Statement& statement) {
-    if (statement.words.size() != 2) {
-        refuse(file, statement, "{} with {} words after it; must be one name without blanks",
-               statement.words[0], statement.words.size() - 1);
-    }
-    return std::string(statement.words[1]);
-}
-
-/// The materials of all MTL files of an OBJ file.
-struct Library {
-    std::string                        text;
-    std::set<std::string, std::less<>> names;
-
-    void add(const path& file) {
-        bool in_material = false;
-        for_each_statement(read_text(file), [&](const Statement& statement) {
-            const std::string_view keyword = statement.words[0];
-            if (keyword == "newmtl") {
-                in_material = true;
-                add_name(file, statement);
-            } else if (keyword == "Kd" || keyword == "Ke") {
-                if (!in_material) refuse(file, statement, "{} of no material; must follow newmtl", keyword);
-                add_colour(file, statement);
-            }
-        });
-    }
-
-private:
-    void add_name(const path& file, const Statement& statement) {
-        const auto [it, is_new] = names.insert(name(file, statement));
-        if (!is_new) refuse(file, statement, "a second material {}; names must differ", in_quotes(*it));
-        text += fmt::format("newmtl {0}\nKd {1} {1} {1}\n", *it, default_reflectance);
-    }
-
-    void add_colour(const path& file, const Statement& statement) {
-        const auto   rgb   = numbers(file, statement);
-        const bool   Kd    = statement.words[0] == "Kd";
-        const double limit = Kd ? 1 : std::numeric_limits<double>::infinity();
-        const bool good = std::all_of(rgb.begin(), rgb.end(), [&](double v) { return v >= 0 && v <= limit; });
-        if (rgb.size() != 3 || !good) {
-            refuse(file, statement, "{} must be three numbers {}", Kd ? "reflectance Kd" : "emission Ke",
-                   Kd ? "from 0 to 1" : "of 0 or more");
-        }
-        text += fmt::format("{} {}\n", statement.words[0], fmt::join(rgb, " "));
-    }
-};
-
 /// What a face may refer to, wherever in the file it is.
 struct Known {
-    long long vertices = 0;
-    Library   library;
+    long long  vertices = 0;
+    MtlLibrary library;
 };
 
 Known known(const path& file, std::string_view text) {
@@ -124,7 +38,7 @@ Known known(const path& file, std::string_view text) {
         const path        mtl   = file.parent_path() / name;
         std::error_code   error;
         if (words.empty() || !is_regular_file(mtl, error)) {
-            refuse(file, statement, "no file {}; mtllib must name one MTL file, seen from here",
+            refuse(file, statement.line, "no file {}; mtllib must name one MTL file, seen from here",
                    in_quotes(name));
         }
         found.library.add(mtl);
@@ -140,16 +54,17 @@ long long vertex_number(const path& file, const Statement& statement, std::strin
     long long              index  = 0;
     const auto [end, error]       = std::from_chars(digits.data(), digits.data() + digits.size(), index);
     if (error != std::errc{} || end != digits.data() + digits.size()) {
-        refuse(file, statement, "face corner {}; must be a vertex number such as 7, -1 or 7/1/2",
+        refuse(file, statement.line, "face corner {}; must be a vertex number such as 7, -1 or 7/1/2",
                in_quotes(corner));
     }
     if (index < 0 && index < -above) {
-        refuse(file, statement, "face corner {}; must be -1 to -{}, counted back over the vertices above",
-               in_quotes(corner), above);
+        refuse(file, statement.line,
+               "face corner {}; must be -1 to -{}, counted back over the vertices above", in_quotes(corner),
+               above);
     }
     if (index == 0 || index > all) {
-        refuse(file, statement, "face corner {}; must be 1 to {}, the file's vertices", in_quotes(corner),
-               all);
+        refuse(file, statement.line, "face corner {}; must be 1 to {}, the file's vertices",
+               in_quotes(corner), all);
     }
     return index < 0 ? above + 1 + index : index;
 }
@@ -174,16 +89,16 @@ struct ObjChecker {
         } else if (keyword == "usemtl") {
             use_material(statement);
         } else if (std::find(passed_over.begin(), passed_over.end(), keyword) == passed_over.end()) {
-            refuse(file, statement, "unknown statement {}; must be v, f or another of polygon OBJ",
+            refuse(file, statement.line, "unknown statement {}; must be v, f or another of polygon OBJ",
                    in_quotes(keyword));
         }
     }
 
 private:
     void add_vertex(const Statement& statement) {
-        const auto values = numbers(file, statement);
+        const auto values = numbers_of(file, statement);
         if (values.size() < 3) {
-            refuse(file, statement, "vertex of {} numbers; must be x y z", values.size());
+            refuse(file, statement.line, "vertex of {} numbers; must be x y z", values.size());
         }
         kept += fmt::format("v {} {} {}\n", values[0], values[1], values[2]);
         ++vertices;
@@ -196,7 +111,7 @@ private:
             corners.push_back(vertex_number(file, statement, corner, vertices, known.vertices));
         }
         if (corners.size() < 3) {
-            refuse(file, statement, "face of {} corners; must be 3 or more", corners.size());
+            refuse(file, statement.line, "face of {} corners; must be 3 or more", corners.size());
         }
         for (std::size_t i = 2; i < corners.size(); ++i) {
             kept += fmt::format("f {} {} {}\n", corners[0], corners[i - 1], corners[i]);
@@ -205,9 +120,9 @@ private:
     }
 
     void use_material(const Statement& statement) {
-        const std::string material = name(file, statement);
-        if (!known.library.names.contains(material)) {
-            refuse(file, statement, "material {}; must be a newmtl of an MTL file that mtllib names",
+        const std::string material = name_of(file, statement);
+        if (!known.library.contains(material)) {
+            refuse(file, statement.line, "material {}; must be a newmtl of an MTL file that mtllib names",
                    in_quotes(material));
         }
         kept += fmt::format("usemtl {}\n", material);
@@ -224,8 +139,8 @@ CheckedObj check_obj(const path& file) {
         throw std::runtime_error(
             fmt::format("{}: no faces; must have a line such as f 1 2 3", file.string()));
     }
-    if (checker.known.library.names.empty()) return {checker.kept, {}};
-    return {"mtllib checked\n" + checker.kept, checker.known.library.text};
+    if (checker.known.library.empty()) return {checker.kept, {}};
+    return {"mtllib checked\n" + checker.kept, checker.known.library.text()};
 }
 
 }  // namespace sr

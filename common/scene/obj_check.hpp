@@ -8,10 +8,7 @@
 
 namespace sr {
 
-/// Reflectance where a file names none: a neutral grey [1].
-inline constexpr double default_reflectance = 0.8;
-
-/// An OBJ file and its MTL files, checked and reduced to v, f, usemtl and newmtl, Kd, Ke. What the library
+/// An OBJ file and its MTL files, checked and reduced to v, f, usemtl and newmtl, illum, Kd, Ks, Ke, Ni. What the library
 /// reads is therefore what was checked: indices count from 1, faces are triangles, names are one word.
 struct CheckedObj {
     std::string obj;

@@ -1,28 +1,55 @@
 #pragma once
 /// @file scene.hpp
-/// What there is to see: triangles, and what each is made of.
+/// What there is to see: triangles and spheres, what each is made of, and what lights them.
 
 #include <cstdint>
 #include <string>
 #include <vector>
 
 #include "geometry/mesh.hpp"
+#include "geometry/sphere.hpp"
+#include "material/lobe_sum.hpp"
 #include "radiometry/spectrum.hpp"
+#include "scene/light.hpp"
 
 namespace sr {
 
-/// A surface that scatters diffusely and may shine.
+/// How a surface scatters light, and what it emits by itself.
 struct Material {
-    std::string name;
-    Spectrum    reflectance;  ///< share of the light that leaves again, 0 to 1 [1]
-    Spectrum    emission;     ///< radiance that it emits by itself [W/(m^2 sr)]
+    std::string    name;
+    LobeSum<float> scattering = {};
+    Spectrum       emission   = {};  ///< radiance [W/(m^2 sr)], from either side
+
+    /// The share of the light that the lobes scatter: the sum of their weights [1].
+    [[nodiscard]] Spectrum reflectance() const;
+
+    /// Whether light goes through it. Such a surface has an inside, where its normals don't point; all others look
+    /// the same from either side.
+    [[nodiscard]] bool is_transparent() const;
 };
 
-/// A mesh whose face i is made of materials[material_of_face[i]].
-struct Scene {
-    Mesh<double>               mesh;
-    std::vector<Material>      materials;
-    std::vector<std::uint32_t> material_of_face;
+/// @param reflectance  share of the light that leaves again, 0 to 1 [1]
+/// @throws std::invalid_argument if the reflectance is not from 0 to 1
+[[nodiscard]] Material diffuse_material(std::string name, Spectrum reflectance, Spectrum emission = {});
+
+/// A sphere made of materials[material].
+struct Ball {
+    Sphere<double> sphere;
+    std::uint32_t  material = 0;
 };
+
+/// A mesh whose face i is made of materials[material_of_face[i]], and spheres, which lenses need to be: a mesh
+/// refracts as many ways as it has faces.
+struct Scene {
+    Mesh<double>               mesh             = {};
+    std::vector<Material>      materials        = {};
+    std::vector<std::uint32_t> material_of_face = {};
+    std::vector<Ball>          balls            = {};
+    std::vector<PointLight>    lights           = {};
+};
+
+/// @throws std::invalid_argument that names what can't be: a material that emits less than nothing, one that is
+///         missing, a ball without a radius
+void check_scene(const Scene& scene);
 
 }  // namespace sr

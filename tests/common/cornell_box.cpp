@@ -87,7 +87,7 @@ TEST_CASE("cornell box: the paints' reflectances") {
     for (const Material& m : cornell_box().materials) {
         CAPTURE(m.name);
         REQUIRE(paints.contains(m.name));
-        CHECK(m.reflectance == paints.at(m.name));
+        CHECK(m.reflectance() == paints.at(m.name));
         CHECK((m.emission == Spectrum{}) == (m.name != "light"));
         seen.insert(m.name);
     }

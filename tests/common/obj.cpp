@@ -85,10 +85,10 @@ TEST_CASE("obj: triangles and their materials, and grey where none is named") {
     REQUIRE(scene.materials.size() == 3);
     CHECK(scene.material_of_face == std::vector<std::uint32_t>{2, 1, 0});
     CHECK(scene.materials[0].name == "red");
-    CHECK(scene.materials[0].reflectance == Spectrum{0.5F, 0.25F, 0});
+    CHECK(scene.materials[0].reflectance() == Spectrum{0.5F, 0.25F, 0});
     CHECK(scene.materials[0].emission == Spectrum{});
     CHECK(scene.materials[1].emission == Spectrum{17, 12, 4});
-    CHECK(scene.materials[2].reflectance == Spectrum{0.8F, 0.8F, 0.8F});
+    CHECK(scene.materials[2].reflectance() == Spectrum{0.8F, 0.8F, 0.8F});
 }
 
 TEST_CASE("obj: a polygon becomes a fan from its first corner, also one of more corners than a byte counts") {
@@ -222,6 +222,67 @@ TEST_CASE("mtl: colours must be possible") {
 
 namespace {
 
+/// The first material of an MTL file.
+Material material(const std::string& mtl) {
+    const ScratchFolder folder("obj_test");
+    write(folder, "test.mtl", mtl);
+    return read_obj(write(folder, "test.obj", "mtllib test.mtl\n" + square + "f 1 2 3\n")).materials.at(0);
+}
+
+template <class L>
+bool is(const WeightedLobe<float>& part, Spectrum weight) {
+    return std::holds_alternative<L>(part.lobe) && part.weight == weight;
+}
+
+}  // namespace
+
+TEST_CASE("mtl: illum chooses between paint, mirror and glass") {
+    for (const std::string illum : {"", "illum 0\n", "illum 1\n", "illum 2\n", "illum 8\n", "illum 10\n"}) {
+        const auto lobes = material("newmtl a\nKs 1 1 1\n" + illum + "Kd 0.5 0.25 0\n").scattering.lobes();
+        REQUIRE(lobes.size() == 1);
+        CHECK(is<Diffuse<float>>(lobes[0], {0.5F, 0.25F, 0}));
+    }
+    for (const std::string illum : {"3", "5"}) {
+        const auto lobes =
+            material("newmtl a\nKd 0.5 0.25 0\nKs 0.5 0.75 1\nillum " + illum).scattering.lobes();
+        REQUIRE(lobes.size() == 2);
+        CHECK(is<Diffuse<float>>(lobes[0], {0.5F, 0.25F, 0}));
+        CHECK(is<Mirror<float>>(lobes[1], {0.5F, 0.75F, 1}));
+    }
+    for (const std::string illum : {"4", "6", "7", "9"}) {
+        for (const auto& [Ni, n] : {std::pair{"", 1.5F}, {"Ni 1.25\n", 1.25F}}) {
+            const auto glass = material("newmtl a\n" + std::string(Ni) + "illum " + illum);
+            CHECK(glass.is_transparent());
+            const auto& lobes = glass.scattering.lobes();
+            REQUIRE(lobes.size() == 1);
+            REQUIRE(is<Dielectric<float>>(lobes[0], {1, 1, 1}));
+            CHECK(std::get<Dielectric<float>>(lobes[0].lobe).index_of_refraction() == n);
+        }
+    }
+}
+
+TEST_CASE("mtl: mirrors and glass must be possible") {
+    CHECK(complaint_of_mtl("newmtl a\nillum 3\nKd 0.5 0.5 0.5\nKs 0.2 0.6 0.2\n") ==
+          "test.mtl:1: material 'a' reflects Kd + Ks = 1.1; must be at most 1");
+    CHECK(complaint_of_mtl("newmtl a\nKs 1.5 0 0\n") ==
+          "test.mtl:2: reflectance Ks must be three numbers from 0 to 1");
+    for (const std::string bad : {"0", "-1.5", "1.5 1.5", "11", "0.0001", ""}) {
+        CAPTURE(bad);
+        CHECK(complaint_of_mtl("newmtl a\n\nNi " + bad + "\n") ==
+              "test.mtl:3: Ni must be an index of refraction from 0.001 to 10, 1.5 of glass");
+    }
+    for (const std::string bad : {"11", "-1", "2.5", ""}) {
+        CAPTURE(bad);
+        CHECK(complaint_of_mtl("newmtl a\nillum " + bad + "\n") ==
+              "test.mtl:2: illum must be the number of an illumination model, 0 to 10");
+    }
+    CHECK(complaint_of_mtl("Ni 1.5\n") == "test.mtl:1: Ni of no material; must follow newmtl");
+    CHECK(complaint_of_mtl("newmtl a\nNi nan\n") ==
+          "test.mtl:2: 'nan' after Ni; must be a finite number that float can hold, such as -1.5e3");
+}
+
+namespace {
+
 bool finite(Spectrum s) {
     return std::isfinite(s.r) && std::isfinite(s.g) && std::isfinite(s.b);
 }
@@ -242,7 +303,7 @@ bool usable(const Scene& scene) {
            std::all_of(scene.material_of_face.begin(), scene.material_of_face.end(),
                        [&](auto i) { return i < scene.materials.size(); }) &&
            std::all_of(scene.materials.begin(), scene.materials.end(),
-                       [](const Material& m) { return finite(m.reflectance) && finite(m.emission); });
+                       [](const Material& m) { return finite(m.reflectance()) && finite(m.emission); });
 }
 
 /// The text with a few bytes changed, put in or taken out; often by bytes that mean something.

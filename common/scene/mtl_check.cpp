@@ -1,0 +1,106 @@
+/// @file mtl_check.cpp
+
+#include "scene/mtl_check.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+#include "scene/obj_words.hpp"
+#include "scene/text_file.hpp"
+
+namespace sr {
+namespace {
+
+using std::filesystem::path;
+
+/// Three numbers from 0 to the limit.
+std::array<double, 3> colour(const path& file, const Statement& statement, std::string_view what,
+                             double limit) {
+    const auto rgb  = numbers_of(file, statement);
+    const bool good = std::ranges::all_of(rgb, [&](double v) { return v >= 0 && v <= limit; });
+    if (rgb.size() != 3 || !good) {
+        refuse(file, statement.line, "{} {} must be three numbers {}", what, statement.words[0],
+               limit == 1 ? "from 0 to 1" : "of 0 or more");
+    }
+    return {rgb[0], rgb[1], rgb[2]};
+}
+
+/// The one number after the keyword.
+double number(const path& file, const Statement& statement, std::string_view right, auto is_right) {
+    const auto values = numbers_of(file, statement);
+    if (values.size() != 1 || !is_right(values[0]))
+        refuse(file, statement.line, "{} must be {}", statement.words[0], right);
+    return values[0];
+}
+
+}  // namespace
+
+MtlModel mtl_model(int illum) {
+    switch (illum) {
+        case 3:
+        case 5:
+            return MtlModel::mirror;
+        case 4:
+        case 6:
+        case 7:
+        case 9:
+            return MtlModel::glass;
+        default:
+            return MtlModel::diffuse;
+    }
+}
+
+void MtlLibrary::add(const path& file) {
+    for_each_statement(read_text(file), [&](const Statement& statement) {
+        if (statement.words[0] == "newmtl") {
+            end(file);
+            begin(file, statement);
+        } else {
+            property(file, statement);
+        }
+    });
+    end(file);
+}
+
+void MtlLibrary::begin(const path& file, const Statement& statement) {
+    const auto [it, is_new] = names_.insert(name_of(file, statement));
+    if (!is_new) refuse(file, statement.line, "a second material {}; names must differ", in_quotes(*it));
+    draft_      = {};
+    draft_.line = statement.line;
+    draft_.name = *it;
+}
+
+void MtlLibrary::property(const path& file, const Statement& statement) {
+    const std::string_view                    keyword = statement.words[0];
+    constexpr std::array<std::string_view, 5> known{"Kd", "Ks", "Ke", "Ni", "illum"};
+    if (std::ranges::find(known, keyword) == known.end()) return;
+    if (draft_.name.empty()) refuse(file, statement.line, "{} of no material; must follow newmtl", keyword);
+    if (keyword == "Kd") draft_.Kd = colour(file, statement, "reflectance", 1);
+    if (keyword == "Ks") draft_.Ks = colour(file, statement, "reflectance", 1);
+    if (keyword == "Ke")
+        draft_.Ke = colour(file, statement, "emission", std::numeric_limits<double>::infinity());
+    if (keyword == "Ni")
+        draft_.Ni = number(file, statement, "an index of refraction from 0.001 to 10, 1.5 of glass",
+                           [](double n) { return n >= 0.001 && n <= 10; });
+    if (keyword == "illum")
+        draft_.illum = int(number(file, statement, "the number of an illumination model, 0 to 10",
+                                  [](double n) { return n >= 0 && n <= 10 && n == int(n); }));
+}
+
+void MtlLibrary::end(const path& file) {
+    if (draft_.name.empty()) return;
+    const auto& [line, name, illum, Kd, Ks, Ke, Ni] = draft_;
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (mtl_model(illum) == MtlModel::mirror && !(Kd[i] + Ks[i] <= 1))
+            refuse(file, line, "material {} reflects Kd + Ks = {}; must be at most 1", in_quotes(name),
+                   Kd[i] + Ks[i]);
+    }
+    text_ += fmt::format("newmtl {}\nillum {}\nKd {}\nKs {}\nKe {}\nNi {}\n", name, illum, fmt::join(Kd, " "),
+                         fmt::join(Ks, " "), fmt::join(Ke, " "), Ni);
+    draft_ = {};
+}
+
+}  // namespace sr

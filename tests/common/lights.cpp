@@ -1,0 +1,113 @@
+/// @file lights.cpp
+/// What a scene is made of and lit by, and what it may not be.
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <stdexcept>
+
+#include "scene/cornell_box.hpp"
+#include "scene/lamps.hpp"
+#include "scene/scene.hpp"
+#include "scene/surfaces.hpp"
+
+using namespace sr;
+
+namespace {
+
+/// A unit sphere of one material around the origin.
+Scene ball_of(Material material) {
+    Scene scene;
+    scene.materials.push_back(std::move(material));
+    scene.balls = {{{{0, 0, 0}, 1}, 0}};
+    return scene;
+}
+
+}  // namespace
+
+TEST_CASE("lights: one that can't be is refused by name and value") {
+    CHECK_THROWS_WITH((PointLight{{0, 0, 0}, {1, -2, 0}}),
+                      "intensity of a point light is (1, -2, 0); each must be finite and not negative");
+    CHECK_THROWS_AS((PointLight{{0, 0, 0}, {std::nanf(""), 0, 0}}), std::invalid_argument);
+    CHECK_THROWS_AS((PointLight{{0, 0, 0}, {0, 0, HUGE_VALF}}), std::invalid_argument);
+    CHECK_THROWS_WITH((PointLight{{0, HUGE_VAL, 0}, {1, 1, 1}}),
+                      "position of a point light is (0, inf, 0); each must be finite");
+    CHECK(PointLight{{1, 2, 3}, {4, 5, 6}}.intensity() == Spectrum{4, 5, 6});
+}
+
+TEST_CASE("lights: a lamp's point light is in its middle, with its normal intensity L A") {
+    const Scene box    = cornell_box();
+    const auto  lights = lights_of_lamps(box);
+    REQUIRE(lights.size() == 1);
+    // the lamp is the rectangle of 130 x 105 from (213, 227) to (343, 332), 0.1 below 548.8
+    CHECK(length(lights[0].position() - Vector3<double>{278, 548.7, 279.5}) <= 1e-9);
+    CHECK(std::abs(lights[0].intensity().r / (17.0F * 130 * 105) - 1) <= 1e-6F);
+    CHECK(std::abs(lights[0].intensity().b / (4.0F * 130 * 105) - 1) <= 1e-6F);
+}
+
+TEST_CASE("scene: what can't be is refused by name and value") {
+    CHECK_NOTHROW(check_scene(ball_of(diffuse_material("chalk", {0.5F, 0.5F, 0.5F}))));
+    CHECK_THROWS_WITH(check_scene(ball_of(diffuse_material("lamp", {}, {1, -1, 0}))),
+                      "material 'lamp' emits (1, -1, 0); each must be finite and not negative");
+    CHECK_THROWS_AS(check_scene(ball_of(diffuse_material("lamp", {}, {std::nanf(""), 0, 0}))),
+                    std::invalid_argument);
+    CHECK_THROWS_AS((void)diffuse_material("chalk", {1.5F, 0, 0}), std::invalid_argument);
+
+    Scene missing             = ball_of(diffuse_material("chalk", {}));
+    missing.balls[0].material = 1;
+    CHECK_THROWS_WITH(check_scene(missing), "ball 0 is of material 1, of which there are 1; must be less");
+    for (const double radius : {0.0, -1.0, std::nan("")}) {
+        Scene flat                  = ball_of(diffuse_material("chalk", {}));
+        flat.balls[0].sphere.radius = radius;
+        CHECK_THROWS_AS(Surfaces<float>{flat}, std::invalid_argument);
+    }
+    Scene bare = cornell_box();
+    bare.material_of_face.pop_back();
+    CHECK_THROWS_WITH(check_scene(bare), "32 faces, and materials for 31 of them; must be as many");
+}
+
+TEST_CASE("scene: the reflectance is the sum of the lobes' weights; light goes through glass only") {
+    const Material paint{"varnish", LobeSum<float>{{{{0.5F, 0.25F, 0}, Diffuse<float>{}},
+                                                    {{0.25F, 0.25F, 0.25F}, Mirror<float>{}}}}};
+    const Material glass{"glass", LobeSum<float>{{{{1, 1, 1}, Dielectric<float>{1.5F}}}}};
+    CHECK(paint.reflectance() == Spectrum{0.75F, 0.5F, 0.25F});
+    CHECK(!paint.is_transparent());
+    CHECK(glass.is_transparent());
+    CHECK(Material{"soot"}.reflectance() == Spectrum{});
+}
+
+TEST_CASE_TEMPLATE("surfaces: the nearest of triangles and balls, from either side", T, float, double) {
+    Scene             scene = cornell_box_with_balls();
+    const Surfaces<T> surfaces(scene);
+    // along z at the height of the glass ball's centre: its front, then from inside its back, then the wall
+    const auto        front = surfaces.nearest({{165, 95, -100}, {0, 0, 1}});
+    REQUIRE(front);
+    CHECK(std::abs(double(front->t) - 195) <= 1e-3);
+    CHECK(scene.materials[front->material].name == "glass");
+    CHECK(length(front->point.normal - Vector3<T>{0, 0, -1}) <= T(1e-6));
+    const auto back = surfaces.nearest({{165, 95, 190}, {0, 0, 1}});
+    REQUIRE(back);
+    CHECK(std::abs(double(back->t) - 95) <= 1e-4);
+    const auto wall = surfaces.nearest({{165, 300, -100}, {0, 0, 1}});
+    REQUIRE(wall);
+    CHECK(std::abs(double(wall->t) - 659.2) <= 1e-3);
+    CHECK(scene.materials[wall->material].name == "white");
+    CHECK(!surfaces.nearest({{165, 95, -100}, {0, 0, -1}}));
+
+    CHECK(surfaces.occluded({{165, 95, -100}, {0, 0, 1}}, {0, 200}));
+    CHECK(!surfaces.occluded({{165, 95, -100}, {0, 0, 1}}, {0, 190}));
+    CHECK(surfaces.occluded({{165, 300, -100}, {0, 0, 1}}, {0, 700}));
+    CHECK(!surfaces.occluded({{165, 300, -100}, {0, 0, 1}}, {0, 650}));
+}
+
+TEST_CASE("surfaces: a triangle too small for its normal faces the ray that found it") {
+    Scene scene;
+    scene.materials        = {diffuse_material("dust", {1, 1, 1})};
+    const double s         = 1e-15;  // the squared area, 10^-60, is no float
+    scene.mesh             = {{{0, 0, 0}, {s, 0, 0}, {0, s, 0}}, {{0, 1, 2}}};
+    scene.material_of_face = {0};
+    const Surfaces<float> surfaces(scene);
+    const auto            hit = surfaces.nearest({{float(s / 4), float(s / 4), float(s)}, {0, 0, -2}});
+    if (hit) CHECK(hit->point.normal == Vec3{0, 0, 1});
+    CHECK(hit.has_value());
+}
