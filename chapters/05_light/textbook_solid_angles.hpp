@@ -52,8 +52,8 @@ template <std::floating_point T>
     return {r * std::cos(phi), r * std::sin(phi), z};
 }
 
-/// What is left of a cone's directions: how many distances from the axis there are, and the mean square of that
-/// distance relative to the s^2 / 2 of a small disk.
+/// What is left of a cone's directions, along one radius of its cap: how many distances from the axis there are, and
+/// the mean square of that distance relative to the s^2 / 2 of a small disk.
 struct ConeDraws {
     double distinct;
     double spread;
@@ -63,16 +63,14 @@ struct ConeDraws {
 template <class Sample>
 [[nodiscard]] ConeDraws draw_cone(float s, int draws, const Sample& sample) {
     Rng             rng{1, 0, 0, 0};
-    std::set<float> heights;
+    std::set<float> distances;
     Running         spread;
     for (int i = 0; i < draws; ++i) {
-        const float u = rng.uniform(), v = rng.uniform();
-        const Vec3  w  = sample(Vec2{u, v}, s);
-        const float r2 = w.x * w.x + w.y * w.y;
-        heights.insert(std::sqrt(r2));
-        spread.add(double(r2) / (double(s) * double(s) / 2));
+        const float x = sample(Vec2{rng.uniform(), 0}, s).x;
+        distances.insert(x);
+        spread.add(square(double(x) / double(s)) * 2);
     }
-    return {double(heights.size()), spread.mean(), spread.standard_error()};
+    return {double(distances.size()), spread.mean(), spread.standard_error()};
 }
 
 }  // namespace sr

@@ -71,6 +71,7 @@ template <Unit U, class V>
         return Quantity<U, V>{value};
 }
 
+/// The exponents add up.
 template <Unit U, class V, Unit W, class X>
 [[nodiscard]] constexpr auto operator*(const Quantity<U, V>& a, const Quantity<W, X>& b) {
     return in_unit<U * W>(a.value() * b.value());

@@ -41,6 +41,7 @@ template <std::floating_point T>
     const T r = sphere.radius;
     const T d = length(sphere.centre);
     if (d < r) return SolidAngle<T>{4 * std::numbers::pi_v<T>};
+    // 1 - cos = s^2 / (1 + cos), which does not cancel
     const T cosine = std::sqrt((d - r) * (d + r)) / d;
     return SolidAngle<T>{2 * std::numbers::pi_v<T> * square(r / d) / (1 + cosine)};
 }

@@ -1,0 +1,55 @@
+#pragma once
+/// @file sampled.hpp
+/// Means of random numbers with their errors, and charts that show both.
+
+#include <string>
+#include <vector>
+
+#include "course/chart.hpp"
+#include "math/vector.hpp"
+#include "sampling/rng.hpp"
+#include "statistics/running.hpp"
+#include "transport/tiles.hpp"
+
+namespace sr {
+
+/// Mean and variance of draw(rng) over 64 blocks of so many samples, which several threads share out among themselves:
+/// the same for any number of them.
+template <class Draw>
+[[nodiscard]] Running sampled(int threads, int samples_per_block, const Draw& draw) {
+    constexpr int        blocks = 64, side = 16;  // a block stands at every 16th pixel, in a tile of its own
+    std::vector<Running> parts(blocks);
+    for_each_pixel(blocks * side, 1, {.threads = threads}, [&](int x, int) {
+        if (x % side != 0) return;
+        Rng rng{5, x, 0, 0};
+        for (int i = 0; i < samples_per_block; ++i) parts[std::size_t(x / side)].add(draw(rng));
+    });
+    Running all;
+    for (const auto& part : parts) all.merge(part);
+    return all;
+}
+
+/// Two numbers in [0, 1).
+[[nodiscard]] inline Vector2<double> random_point(Rng& rng) {
+    const double x = rng.uniform<double>();
+    return {x, rng.uniform<double>()};
+}
+
+/// Axes of a chart whose points have a bar of one standard error; of a closed form it is 0.
+[[nodiscard]] inline course::Axes axes_with_error(const std::string& x, const std::string& y,
+                                                  course::axis log = course::axis::none) {
+    return {.x       = x,
+            .y       = y,
+            .log     = log,
+            .columns = {.headers = {"series", x, y, "standard error"},
+                        .series  = "series",
+                        .x       = x,
+                        .y       = y,
+                        .error   = "standard error"}};
+}
+
+inline void add(course::Chart chart, const std::string& series, double x, double y, double error = 0) {
+    chart.add(series, x, y, {error});
+}
+
+}  // namespace sr
