@@ -59,7 +59,7 @@ void what_is_seen(course::Chapter& chapter) {
     chapter.section("1.2 What is seen along it");
     const auto& options = chapter.options();
     if (options.scene) {
-        render(chapter, "scene", "The scene", shot_of_file(*options.scene, options.size));
+        render(chapter, "scene", "The scene", view_of_file(*options.scene, options.size));
     } else {
         render(chapter, "cornell_box", "The Cornell box", cornell_shot(options.size));
         render(chapter, "teapot", "The teapot", teapot_shot(64, options.size));

@@ -21,8 +21,7 @@ Scene cornell_box_with_balls() {
     scene.materials.push_back({"glass", LobeSum<float>{{{{1, 1, 1}, Dielectric<float>{1.5F}}}}});
     scene.balls = {{{{390, 105, 370}, 105}, mirror}, {{{165, 95, 190}, 95}, glass}};
 
-    constexpr float lamp_area = 130 * 105;  // [mm^2]
-    scene.lights.push_back({{278, 440, 279.5}, lamp_area * Spectrum{17, 12, 4}});
+    scene.lights.push_back({{278, 420, 279.5}, {3e5F, 2.5e5F, 1.7e5F}});
     return scene;
 }
 

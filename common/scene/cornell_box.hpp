@@ -14,7 +14,7 @@ namespace sr {
 [[nodiscard]] Scene cornell_box();
 
 /// The walls and the lamp of the box; in place of the blocks a ball of mirror and one of glass, n = 1.5. It is lit by
-/// a point light a hand's breadth below the lamp, with the lamp's intensity straight down.
+/// a point light of warm white below the lamp.
 /// @throws std::runtime_error when the file of its data can't be read
 [[nodiscard]] Scene cornell_box_with_balls();
 
