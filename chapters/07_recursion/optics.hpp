@@ -11,6 +11,7 @@
 
 #include "geometry/plane.hpp"
 #include "geometry/sphere.hpp"
+#include "material/fresnel.hpp"
 #include "math/angle.hpp"
 #include "math/bracketed_root.hpp"
 #include "transport/interaction.hpp"

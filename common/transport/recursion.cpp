@@ -66,6 +66,7 @@ Spectrum RecursiveTracer::from_deltas(const At& at, const LobeSum<float>& scatte
                                       Tree tree) const {
     Spectrum   L;
     const auto follow = [&](const Vec3& wi, Spectrum weight) {
+        // a branch ends where it counts too little, however short it is
         const Branch longer{branch.depth + 1, branch.throughput * weight};
         if (exceeds(longer.throughput, options_.cut_off))
             L = L + weight * arriving(at.leave(wi), longer, tree);

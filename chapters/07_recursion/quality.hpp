@@ -1,0 +1,71 @@
+#pragma once
+/// @file quality.hpp
+/// Section 7.5: how far a picture is from the one that all bounces make, and what that costs.
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "course/chapter.hpp"
+#include "picture.hpp"
+#include "statistics/running.hpp"
+
+namespace sr {
+
+/// A way to render: what it is called, and how much effort it makes.
+struct Recipe {
+    std::string      name;
+    double           effort = 0;
+    RecursionOptions recursion;
+    int trees = 1;  ///< for each of a pixel's rays; more than one only makes sense if they are random
+};
+
+/// A relative RMSE, and its standard error as far as chance has a part in it.
+struct ImageError {
+    double value = 0;
+    double error = 0;
+};
+
+/// The picture by which recipes are judged: all rays pass through the same points of it, so that what is compared is
+/// recursion alone.
+class Judge {
+public:
+    Judge(SceneView view, int threads) : view_{std::move(view)}, threads_{threads} {
+        reference_ = shown({"reference", 0, {.depth = 64}});
+    }
+
+    [[nodiscard]] Image<Spectrum> shown(const Recipe& recipe, std::uint64_t seed = 1) const {
+        const RecursiveTracer tracer(view_.scene, recipe.recursion);
+        return render(convert<float>(view_.camera), {.samples = 4, .seed = seed}, {.threads = threads_},
+                      [&](const Ray<float>& ray, Rng& rng) {
+                          Spectrum sum;
+                          RayCount count;
+                          for (int i = 0; i < recipe.trees; ++i) sum = sum + tracer.radiance(ray, rng, count);
+                          return 1 / float(recipe.trees) * sum;
+                      });
+    }
+
+    /// sqrt(mean (I - R)^2) / mean R over the pixels that don't see the lamp, and all channels.
+    [[nodiscard]] ImageError error(const Recipe& recipe) const {
+        const auto image = shown(recipe);
+        Running    squares, light;
+        for (std::size_t i = 0; i < image.pixels().size(); ++i) {
+            const Spectrum I = image.pixels()[i], R = reference_.pixels()[i];
+            if (!each_in(R, 0, 3)) continue;  // the lamp
+            squares.add((square(I.r - R.r) + square(I.g - R.g) + square(I.b - R.b)) / 3.0);
+            light.add(double(mean(R)));
+        }
+        const double rmse   = std::sqrt(squares.mean());
+        const bool   chance = recipe.recursion.branching == Branching::random;
+        return {rmse / light.mean(), chance ? squares.standard_error() / (2 * rmse) / light.mean() : 0};
+    }
+
+private:
+    static double square(float x) { return double(x) * double(x); }
+
+    SceneView       view_;
+    int             threads_;
+    Image<Spectrum> reference_{1, 1};
+};
+
+}  // namespace sr
