@@ -7,9 +7,12 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 #include "course/chapter.hpp"
+#include "nested_spheres.hpp"
 #include "receding_sphere.hpp"
 #include "statistics/slope.hpp"
 #include "two_patches.hpp"
@@ -19,8 +22,8 @@ namespace sr {
 inline void claim_two_disks(course::Chapter& chapter) {
     const TwoDisks disks;
     const int      threads = chapter.options().threads;
-    const auto     there   = disks.flux(disks.radius_1, disks.radius_2, threads, 1 << 14);
-    const auto     back    = disks.flux(disks.radius_2, disks.radius_1, threads, 1 << 14);
+    const auto     there   = disks.flux(disks.radius_1, disks.radius_2, {threads, 1 << 14, 1});
+    const auto     back    = disks.flux(disks.radius_2, disks.radius_1, {threads, 1 << 14, 2});
     chapter.claim("5.6 flux between two disks, closed form [W]",
                   {.expected = 1.1569, .measured = disks.exact_flux(), .tolerance = 5e-5});
     chapter.claim("5.6 flux from the large disk to the small one, by rays [W]",
@@ -47,26 +50,52 @@ inline void chart_receding_sphere(course::Chapter& chapter) {
     const RecedingSphere sphere(256);  // whatever the picture's size: the numbers are in the text
     const auto           near = sphere.look(5, threads);
     std::vector<double>  distances, irradiances;
+    course::Rows         table{{"distance [radii]", "brightest pixel", "irradiance [W/m^2]", "pi / d^2"}};
     for (const double distance : {5.0, 10.0, 20.0, 40.0}) {
         const auto seen = sphere.look(distance, threads);
         chart.add("brightest pixel", distance, seen.brightest / near.brightest);
         chart.add("irradiance, summed over the pixels", distance, seen.irradiance / near.irradiance);
+        table.add({distance, seen.brightest, seen.irradiance, std::numbers::pi / square(distance)});
         distances.push_back(distance);
         irradiances.push_back(seen.irradiance);
     }
     chart.caption("Both measured in the same images of 256 x 256 pixels.");
-    const auto far = sphere.look(40, threads);
-    chapter.claim("5.6 brightest pixel at 5 radii",
-                  {.expected = 1, .measured = near.brightest, .tolerance = 0});
-    chapter.claim("5.6 brightest pixel at 40 radii",
-                  {.expected = 1, .measured = far.brightest, .tolerance = 0});
-    chapter.claim("5.6 irradiance at 5 radii, of the pixels [W/m^2]",
-                  {.expected = 0.1257, .measured = near.irradiance, .tolerance = 5e-5});
-    chapter.claim("5.6 irradiance at 40 radii, of the pixels [W/m^2]",
-                  {.expected = 0.00196, .measured = far.irradiance, .tolerance = 5e-6});
-    chapter.claim(
-        "5.6 the power of the distance with which irradiance falls",
-        {.expected = 2, .measured = -log_log_slope(distances, irradiances).value, .tolerance = 0.005});
+    chapter.say(table);
+    const auto claim = [&](const std::string& what, double expected, double measured, double tolerance) {
+        chapter.claim("5.6 " + what, {.expected = expected, .measured = measured, .tolerance = tolerance});
+    };
+    for (const double distance : distances)
+        claim(fmt::format("brightest pixel at {} radii", distance), 1,
+              near.brightest * chart.at("brightest pixel", distance), 0);
+    for (const auto& [i, expected, digit] :
+         {std::tuple{0U, 0.1257, 1e-4}, {1U, 0.0314, 1e-4}, {2U, 0.00785, 1e-5}, {3U, 0.00196, 1e-5}})
+        claim(fmt::format("irradiance at {} radii, of the pixels [W/m^2]", distances[i]), expected,
+              irradiances[i], digit / 2);
+    claim("the power of the distance with which irradiance falls", 2,
+          -log_log_slope(distances, irradiances).value, 0.005);
+}
+
+/// Seen from afar, irradiance over solid angle is the radiance again; and no flux is lost between spheres.
+inline void claim_nested_spheres(course::Chapter& chapter) {
+    for (const auto& [d, expected, digit] : {std::tuple{5.0, 0.9899, 1e-4}, {50.0, 0.9999, 1e-4}}) {
+        const Sphere<double> sphere{{0, 0, d}, 1};
+        chapter.claim(fmt::format("5.6 irradiance over solid angle at {} radii [W/(m^2 sr)]", d),
+                      {.expected  = expected,
+                       .measured  = projected_solid_angle(sphere) / solid_angle(sphere),
+                       .tolerance = digit / 2});
+    }
+    course::Rows table{{"radius", "mean irradiance [W/m^2]", "flux [W]"}};
+    for (const auto& [radius, mean] :
+         {std::pair{1.0, 0.7854}, {2.0, 0.19635}, {4.0, 0.04909}, {8.0, 0.01227}}) {
+        const double flux = flux_through_sphere(radius), area = 4 * std::numbers::pi * square(radius);
+        table.add({radius, flux / area, flux});
+        chapter.claim(
+            fmt::format("5.6 mean irradiance of a sphere of radius {} around the lamp [W/m^2]", radius),
+            {.expected = mean, .measured = flux / area, .tolerance = radius > 1 ? 5e-6 : 5e-5});
+        chapter.claim(fmt::format("5.6 flux through it, radius {} [W]", radius),
+                      {.expected = 9.8696, .measured = flux, .tolerance = 5e-5});
+    }
+    chapter.say(table);
 }
 
 }  // namespace sr

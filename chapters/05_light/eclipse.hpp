@@ -24,10 +24,10 @@ struct Eclipse {
     }
 
     /// The same by (5.11): directions towards the lamp, each asked whether the occluder is in the way.
-    [[nodiscard]] Running visible_by_rays(double apart, int threads, int samples_per_block) const {
+    [[nodiscard]] Running visible_by_rays(double apart, const Effort& effort) const {
         const Sphere<double> nearer{{2 * std::sin(apart), 0, 2 * std::cos(apart)}, 2 * std::sin(occluder)};
         const double         sine = std::sin(lamp);
-        return sampled(threads, samples_per_block, [&](Rng& rng) {
+        return sampled(effort, [&](Rng& rng) {
             const auto   w = sample_cone(random_point(rng), sine);
             const double V = intersect(nearer, Ray<double>{{0, 0, 0}, w}) ? 0 : 1;
             return V / pdf_cone(w, sine).value;

@@ -3,12 +3,10 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-#include <string>
 #include <tuple>
-#include <utility>
 
 #include "closed_forms.hpp"
+#include "cosine_law_chart.hpp"
 #include "course/chapter.hpp"
 #include "distance_chart.hpp"
 #include "distance_diagrams.hpp"
@@ -17,13 +15,11 @@
 #include "lamps_chart.hpp"
 #include "math/degrees.hpp"
 #include "near_lamp_chart.hpp"
-#include "nested_spheres.hpp"
 #include "radiance_diagrams.hpp"
 #include "radiometry/photons.hpp"
 #include "sampled.hpp"
 #include "small_chart.hpp"
 #include "solid_angle_diagrams.hpp"
-#include "tilted_facet.hpp"
 
 namespace sr {
 namespace {
@@ -36,7 +32,8 @@ void flux(course::Chapter& chapter) {
     diagram.caption("At a point there is no flux; but there is a limit of flux over area.");
 
     const Flux<double> watt{1};
-    for (const auto& [colour, nm, expected] : {std::tuple{"green", 555.0, 2.79e18}, {"red", 650.0, 3.27e18}}) {
+    for (const auto& [colour, nm, expected] :
+         {std::tuple{"green", 555.0, 2.79e18}, {"red", 650.0, 3.27e18}}) {
         const auto photons = photons_per_time(watt, Length<double>{nm * 1e-9});
         chapter.claim(fmt::format("5.1 photons in a watt of {} light, {} nm [1/s]", colour, nm),
                       {.expected = expected, .measured = photons.value(), .tolerance = 0.005e18});
@@ -73,16 +70,17 @@ void visibility(course::Chapter& chapter) {
         chapter.chart("eclipse", "A lamp of 30 degrees behind a ball of 20 degrees",
                       axes_with_error("angle between the centres [deg]", "visible solid angle [sr]"));
     const Eclipse eclipse;
+    const int     threads = chapter.options().threads;
     for (int apart = 0; apart <= 60; apart += 2)
         add(chart, "closed form", apart, eclipse.visible(radians(apart)));
     for (int apart = 1; apart <= 60; apart += 2) {
-        const auto rays = eclipse.visible_by_rays(radians(apart), chapter.options().threads, 1 << 10);
+        const auto rays = eclipse.visible_by_rays(radians(apart), {threads, 1 << 10, apart});
         add(chart, "by rays", apart, rays.mean(), rays.standard_error());
     }
     chart.caption(
         "Rays into the lamp's cone, 65 536 for a point, each asked whether the ball is in its way.");
 
-    const auto rays = eclipse.visible_by_rays(radians(25), chapter.options().threads, 1 << 14);
+    const auto rays = eclipse.visible_by_rays(radians(25), {threads, 1 << 14});
     chapter.claim("5.4 visible at 25 degrees, closed form [sr]",
                   {.expected = 0.61865, .measured = eclipse.visible(radians(25)), .tolerance = 5e-6});
     chapter.claim("5.4 visible at 25 degrees, by a million rays [sr]",
@@ -101,22 +99,7 @@ void radiance(course::Chapter& chapter) {
     draw_oriented_surfaces(turned);
     turned.caption("The flux is spread over a larger area. The light itself is the same.");
 
-    auto chart = chapter.chart(
-        "cosine_law", "Sunlight on a facet that is turned",
-        axes_with_error("angle between normal and light [deg]", "relative to facing the light"));
-    for (int tilt = 0; tilt <= 84; tilt += 4) add(chart, "cosine", tilt, std::cos(radians(tilt)));
-    for (int tilt = 2; tilt <= 86; tilt += 4) {
-        const auto E = relative_irradiance(radians(tilt), chapter.options().threads, 1 << 10);
-        add(chart, "irradiance, counted", tilt, E.mean(), E.standard_error());
-        add(chart, "irradiance / cosine: radiance", tilt, E.mean() / std::cos(radians(tilt)),
-            E.standard_error() / std::cos(radians(tilt)));
-    }
-    chart.caption("65 536 rays of sunlight for each point; those that the facet catches are counted.");
-    for (const auto& [tilt, expected] : {std::pair{60, 0.5}, {80, 0.174}}) {
-        const auto E = relative_irradiance(radians(tilt), chapter.options().threads, 1 << 14);
-        chapter.claim(fmt::format("5.5 irradiance at {} degrees, counted, over that at 0", tilt),
-                      {.expected = expected, .measured = E.mean(), .tolerance = 0.006});
-    }
+    chart_cosine_law(chapter);
 }
 
 /// 5.6  What is left of it at the other end?
@@ -132,9 +115,7 @@ void conservation(course::Chapter& chapter) {
     draw_inverse_square(square_law);
     square_law.caption("The flux in the cone stays the same; the area that it falls on grows.");
     chart_receding_sphere(chapter);
-    for (const double radius : {1.0, 2.0, 4.0, 8.0})
-        chapter.claim(fmt::format("5.6 flux through a sphere of radius {} around the lamp [W]", radius),
-                      {.expected = 9.8696, .measured = flux_through_sphere(radius), .tolerance = 5e-5});
+    claim_nested_spheres(chapter);
 
     auto sensor = chapter.diagram("sensor", "Irradiance and radiance");
     draw_sensor(sensor);

@@ -76,7 +76,7 @@ inline void draw_two_patches(course::Diagram diagram) {
     draw_angle(diagram, x2, 1.5, n2, sight + 180, "$\\theta_2$", 1.35);
     diagram.label(x1 - edge1 + Point{-0.3, 0.25}, "$dA_1$", Anchor::right, Ink::blue);
     diagram.label(x2 + edge2 + Point{0.3, 0.1}, "$dA_2$", Anchor::left, Ink::green);
-    diagram.label({4.6, 1.1}, "$r$", Anchor::centre);
+    diagram.label({5.3, 0.6}, "$r$", Anchor::centre);
     diagram.label({3.2, -1.9}, "$d\\omega_1 = dA_2 \\cos\\theta_2 / r^2$", Anchor::left, Ink::blue);
     diagram.label({3.2, -2.8}, "$d\\omega_2 = dA_1 \\cos\\theta_1 / r^2$", Anchor::left, Ink::green);
     diagram.label({4.9, 4.0},

@@ -13,16 +13,23 @@
 
 namespace sr {
 
-/// Mean and variance of draw(rng) over 64 blocks of so many samples, which several threads share out among themselves:
-/// the same for any number of them.
+/// How much work a mean is worth: 64 blocks of so many samples.
+struct Effort {
+    int threads;
+    int samples_per_block;
+    int stream = 0;  ///< means with different ones are independent
+};
+
+/// Mean and variance of draw(rng) over the blocks, which several threads share out among themselves: the same for any
+/// number of them.
 template <class Draw>
-[[nodiscard]] Running sampled(int threads, int samples_per_block, const Draw& draw) {
+[[nodiscard]] Running sampled(const Effort& effort, const Draw& draw) {
     constexpr int        blocks = 64, side = 16;  // a block stands at every 16th pixel, in a tile of its own
     std::vector<Running> parts(blocks);
-    for_each_pixel(blocks * side, 1, {.threads = threads}, [&](int x, int) {
+    for_each_pixel(blocks * side, 1, {.threads = effort.threads}, [&](int x, int) {
         if (x % side != 0) return;
-        Rng rng{5, x, 0, 0};
-        for (int i = 0; i < samples_per_block; ++i) parts[std::size_t(x / side)].add(draw(rng));
+        Rng rng{5, x, effort.stream, 0};
+        for (int i = 0; i < effort.samples_per_block; ++i) parts[std::size_t(x / side)].add(draw(rng));
     });
     Running all;
     for (const auto& part : parts) all.merge(part);

@@ -26,9 +26,9 @@ struct SettingLamp {
         return cosine < 0 ? 0 : std::numbers::pi * square(sine) * cosine;
     }
 
-    [[nodiscard]] Running by_rays(double beta, int threads, int samples_per_block) const {
+    [[nodiscard]] Running by_rays(double beta, const Effort& effort) const {
         const auto frame = frame_around(Vector3<double>{std::sin(beta), 0, std::cos(beta)});
-        return sampled(threads, samples_per_block, [&](Rng& rng) {
+        return sampled(effort, [&](Rng& rng) {
             const auto   w      = sample_cone(random_point(rng), sine);
             const double cosine = frame.to_world(w).z;
             return cosine > 0 ? cosine / pdf_cone(w, sine).value : 0;

@@ -28,14 +28,14 @@ struct Sunlight {
     }
 };
 
-/// The share of the light through the square that a disk about the origin with radius 1/2, tilted by the angle
+/// The share of the light through the square that a disk about the origin with radius 0.6, tilted by the angle
 /// [rad], catches; times the ratio of the areas, which makes it the irradiance relative to that of the square.
-[[nodiscard]] inline Running relative_irradiance(double tilt, int threads, int samples_per_block) {
-    constexpr double    radius = 0.5;
+[[nodiscard]] inline Running relative_irradiance(double tilt, const Effort& effort) {
+    constexpr double    radius = 0.6;
     const Plane<double> plane{{0, 0, 0}, {std::sin(tilt), 0, std::cos(tilt)}};
     const double        ratio = 4 / (std::numbers::pi * square(radius));
     const Sunlight      sun;
-    return sampled(threads, samples_per_block, [&](Rng& rng) {
+    return sampled(effort, [&](Rng& rng) {
         const auto ray = sun.ray(rng);
         const auto t   = intersect(plane, ray, {-HUGE_VAL, HUGE_VAL});
         return t && length(ray.at(*t)) <= radius ? ratio : 0;

@@ -20,10 +20,10 @@ struct TwoDisks {
 
     /// Of a radiance of 1, from the one to the other [W], by rays: points uniform on the area, directions as a Lambert
     /// emitter sends them, each carrying its share of pi L A; those that arrive are counted.
-    [[nodiscard]] Running flux(double from, double to, int threads, int samples_per_block) const {
+    [[nodiscard]] Running flux(double from, double to, const Effort& effort) const {
         const double emitted =
             lambert_flux(Radiance<double>{1}, Area<double>{std::numbers::pi * square(from)}).value();
-        return sampled(threads, samples_per_block, [&](Rng& rng) {
+        return sampled(effort, [&](Rng& rng) {
             const auto   start = sample_disk(random_point(rng), from);
             const auto   w     = sample_cosine_hemisphere(random_point(rng));
             const double t     = distance / w.z;
