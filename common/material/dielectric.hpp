@@ -45,7 +45,8 @@ public:
         const auto  direction = refract(wo, eta);
         const T     R         = direction ? fresnel(std::abs(wo.z), eta).mean() : T{1};
         Branches<T> both{{reflect(wo), R, {}, true}, {}};
-        const T     scale = mode == TransportMode::radiance ? 1 / (eta * eta) : T{1};
+        // the same light in a cone n^2 as wide or as narrow; photons are counted, wherever they go
+        const T scale = mode == TransportMode::radiance ? 1 / (eta * eta) : T{1};
         if (direction) both.refracted = {*direction, (1 - R) * scale, {}, true};
         return both;
     }
