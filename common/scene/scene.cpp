@@ -31,6 +31,12 @@ Material diffuse_material(std::string name, Spectrum reflectance, Spectrum emiss
 
 namespace {
 
+void check_emission(const std::string& what, Spectrum L) {
+    if (!each_in(L, 0, std::numeric_limits<float>::max()))
+        throw std::invalid_argument(
+            fmt::format("{} emits ({}, {}, {}); each must be finite and not negative", what, L.r, L.g, L.b));
+}
+
 void check_material_index(const char* of, std::size_t i, std::uint32_t material, const Scene& scene) {
     if (!(material < scene.materials.size()))
         throw std::invalid_argument(
@@ -41,12 +47,9 @@ void check_material_index(const char* of, std::size_t i, std::uint32_t material,
 }  // namespace
 
 void check_scene(const Scene& scene) {
-    for (const auto& [name, scattering, L] : scene.materials) {
-        if (!each_in(L, 0, std::numeric_limits<float>::max()))
-            throw std::invalid_argument(
-                fmt::format("material '{}' emits ({}, {}, {}); each must be finite and not negative", name,
-                            L.r, L.g, L.b));
-    }
+    for (const auto& material : scene.materials)
+        check_emission(fmt::format("material '{}'", material.name), material.emission);
+    check_emission("background", scene.background);
     if (scene.material_of_face.size() != scene.mesh.faces.size())
         throw std::invalid_argument(fmt::format("{} faces, and materials for {} of them; must be as many",
                                                 scene.mesh.faces.size(), scene.material_of_face.size()));

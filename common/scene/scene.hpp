@@ -46,9 +46,10 @@ struct Scene {
     std::vector<std::uint32_t> material_of_face = {};
     std::vector<Ball>          balls            = {};
     std::vector<PointLight>    lights           = {};
+    Spectrum                   background       = {};  ///< radiance from where nothing is [W/(m^2 sr)]
 };
 
-/// @throws std::invalid_argument that names what can't be: a material that emits less than nothing, one that is
+/// @throws std::invalid_argument that names what can't be: a material or a background that emits less than nothing, one that is
 ///         missing, a ball without a radius
 void check_scene(const Scene& scene);
 

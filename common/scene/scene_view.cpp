@@ -34,6 +34,7 @@ SceneView lit_view_of_file(const std::filesystem::path& file, int side) {
         const float           I = std::numbers::pi_v<float> * float(dot(upper_left, upper_left));
         view.scene.lights.push_back({upper_left, {I, I, I}});
     }
+    view.scene.background = {0.08F, 0.1F, 0.13F};
     return view;
 }
 

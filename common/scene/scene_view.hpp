@@ -21,7 +21,7 @@ struct SceneView {
 [[nodiscard]] SceneView view_of_file(const std::filesystem::path& file, int side);
 
 /// The same, lit: by point lights in place of its lamps, or if it has none by one from the upper left, so strong that
-/// white paper in the origin that faces it has radiance 1.
+/// white paper in the origin that faces it has radiance 1. Behind all is a dark sky, for mirrors and glass to show.
 [[nodiscard]] SceneView lit_view_of_file(const std::filesystem::path& file, int side);
 
 }  // namespace sr

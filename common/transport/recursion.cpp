@@ -24,7 +24,11 @@ bool exceeds(Spectrum s, float bound) {
 }  // namespace
 
 RecursiveTracer::RecursiveTracer(const Scene& scene, RecursionOptions options)
-    : surfaces_{scene}, materials_{scene.materials}, lights_{scene.lights}, options_{options} {
+    : surfaces_{scene},
+      materials_{scene.materials},
+      lights_{scene.lights},
+      background_{scene.background},
+      options_{options} {
     if (!(options.depth >= 1 && options.depth <= 1000))
         throw std::invalid_argument(fmt::format("recursion depth {}: must be 1 to 1000", options.depth));
     if (!(options.cut_off >= 0 && options.cut_off <= 1))
@@ -38,7 +42,7 @@ Spectrum RecursiveTracer::radiance(const Ray<float>& ray, Rng& rng, RayCount& co
 Spectrum RecursiveTracer::arriving(const Ray<float>& ray, const Branch& branch, Tree tree) const {
     ++tree.count.rays;
     const auto hit = surfaces_.nearest(ray);
-    if (!hit) return {};
+    if (!hit) return background_;
     const Material& material = materials_[hit->material];
     const At        at(hit->point, ray.direction, sides_of(material));
     // (7.5) what it emits, what it scatters of the lights, and what is seen in it

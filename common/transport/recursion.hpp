@@ -75,6 +75,7 @@ private:
     Surfaces<float>         surfaces_;
     std::vector<Material>   materials_;
     std::vector<PointLight> lights_;
+    Spectrum                background_;
     RecursionOptions        options_;
 };
 

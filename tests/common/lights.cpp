@@ -53,6 +53,10 @@ TEST_CASE("scene: what can't be is refused by name and value") {
                     std::invalid_argument);
     CHECK_THROWS_AS((void)diffuse_material("chalk", {1.5F, 0, 0}), std::invalid_argument);
 
+    Scene dark      = ball_of(diffuse_material("chalk", {}));
+    dark.background = {0, 0, -1};
+    CHECK_THROWS_WITH(check_scene(dark), "background emits (0, 0, -1); each must be finite and not negative");
+
     Scene missing             = ball_of(diffuse_material("chalk", {}));
     missing.balls[0].material = 1;
     CHECK_THROWS_WITH(check_scene(missing), "ball 0 is of material 1, of which there are 1; must be less");

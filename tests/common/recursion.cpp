@@ -162,6 +162,15 @@ TEST_CASE("recursion: a scene of opaque paint costs one ray a pixel and one to e
     }
 }
 
+TEST_CASE("recursion: where nothing is, the background is seen, also in a mirror") {
+    Scene scene;
+    scene.materials  = {mirror(0.5F)};
+    scene.balls      = {{{{0, 0, 0}, 1}, 0}};
+    scene.background = {1, 2, 3};
+    CHECK(L_of(scene, {}, {{0, 0, 3}, {0, 1, 0}}) == 2);
+    CHECK(L_of(scene, {}, {{0, 0, 3}, {0, 0, -1}}) == 1);
+}
+
 TEST_CASE("recursion: options out of range are refused by name and value") {
     const Scene scene = furnace(mirror(0.5F));
     CHECK_THROWS_WITH(RecursiveTracer(scene, {.depth = 0}), "recursion depth 0: must be 1 to 1000");
