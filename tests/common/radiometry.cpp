@@ -12,6 +12,7 @@
 #include "math/degrees.hpp"
 #include "math/gauss_legendre.hpp"
 #include "math/square.hpp"
+#include "near.hpp"
 #include "radiometry/emitters.hpp"
 #include "radiometry/photons.hpp"
 #include "radiometry/quantity.hpp"
@@ -19,7 +20,7 @@
 #include "radiometry/spectrum.hpp"
 
 using namespace sr;
-using doctest::Approx;
+using test::near;
 
 namespace {
 
@@ -115,11 +116,11 @@ TEST_CASE("quantities: they compute as their values do, with colours as well, an
 
 TEST_CASE("photons: a watt of green light is 2.79e18 of them a second, one of red light more") {
     // h c = 1.986445857e-25 J m, from the SI's exact h and c
-    CHECK(photon_energy(Length<double>{555e-9}).value() == Approx(1.986445857e-25 / 555e-9).epsilon(1e-9));
+    CHECK(photon_energy(Length<double>{555e-9}).value() == near(1.986445857e-25 / 555e-9, 1e-9));
     const auto green = photons_per_time(Flux<double>{1}, Length<double>{555e-9});
     const auto red   = photons_per_time(Flux<double>{1}, Length<double>{650e-9});
-    CHECK(green.value() == Approx(555e-9 / 1.986445857e-25).epsilon(1e-9));
-    CHECK(red / green == Approx(650.0 / 555).epsilon(1e-14));
+    CHECK(green.value() == near(555e-9 / 1.986445857e-25, 1e-9));
+    CHECK(red / green == near(650.0 / 555, 1e-14));
 }
 
 TEST_CASE("B1, B2: a point light's irradiance, and the flux that a disk below it and the whole plane catch") {
@@ -128,8 +129,8 @@ TEST_CASE("B1, B2: a point light's irradiance, and the flux that a disk below it
         const double d = std::hypot(2, x);
         return point_irradiance(I, 2 / d, Length<double>{d}).value();
     };
-    CHECK(E_at(0) == Approx(1.9894367886486917).epsilon(1e-13));
-    CHECK(E_at(2) == Approx(0.70337212199773912).epsilon(1e-13));
+    CHECK(E_at(0) == near(1.9894367886486917, 1e-13));
+    CHECK(E_at(2) == near(0.70337212199773912, 1e-13));
     CHECK(point_irradiance(I, -0.5, Length<double>{1}).value() == 0);
     CHECK_FALSE(point_irradiance(I, std::nan(""), Length<double>{1}).value() == 0);
 
@@ -137,8 +138,8 @@ TEST_CASE("B1, B2: a point light's irradiance, and the flux that a disk below it
     for (const auto& [x, weight] : gauss_legendre(40, 0, 2)) disk += weight * 2 * pi * x * E_at(x);
     for (const auto& [a, weight] : gauss_legendre(40, 0, pi / 2))
         plane += weight * 2 * pi * 2 * std::tan(a) * E_at(2 * std::tan(a)) * 2 / square(std::cos(a));
-    CHECK(disk == Approx(14.644660940672624).epsilon(1e-12));
-    CHECK(plane == Approx(50).epsilon(1e-12));
+    CHECK(disk == near(14.644660940672624, 1e-12));
+    CHECK(plane == near(50, 1e-12));
 }
 
 TEST_CASE("B14: a tilted facet under a uniform sky") {
@@ -147,15 +148,14 @@ TEST_CASE("B14: a tilted facet under a uniform sky") {
                                          {60.0, 2.3561944901923449},
                                          {90.0, 1.5707963267948966},
                                          {135.0, 0.46007559225530506}})
-        CHECK(uniform_sky_irradiance(Radiance<double>{1}, radians(tilt)).value() ==
-              Approx(expected).epsilon(1e-12));
+        CHECK(uniform_sky_irradiance(Radiance<double>{1}, radians(tilt)).value() == near(expected, 1e-12));
 }
 
 TEST_CASE("B15: a level and an upright facet under the overcast sky, and any other by quadrature") {
     const auto E = [](double tilt) { return overcast_sky_irradiance(Radiance<double>{1}, tilt).value(); };
-    CHECK(E(0) == Approx(2.4434609527920614).epsilon(1e-13));
-    CHECK(E(pi / 2) == Approx(0.96804322004274332).epsilon(1e-13));
-    CHECK(E(pi / 2) / E(0) == Approx(0.39617707781930896).epsilon(1e-13));
+    CHECK(E(0) == near(2.4434609527920614, 1e-13));
+    CHECK(E(pi / 2) == near(0.96804322004274332, 1e-13));
+    CHECK(E(pi / 2) / E(0) == near(0.39617707781930896, 1e-13));
     // In the facet's frame with the zenith at (sin t, 0, cos t): directions at the angle p in the x-z plane and the
     // elevation q out of it, of which the sky's are those with |p - t| < pi/2.
     for (const double tilt : {0.3, 1.2, 2.5}) {
@@ -166,19 +166,19 @@ TEST_CASE("B15: a level and an upright facet under the overcast sky, and any oth
                 sum += of_p * of_q * std::cos(q) * cosine * (1 + 2 * height) / 3;
             }
         }
-        CHECK(E(tilt) == Approx(sum).epsilon(1e-12));
+        CHECK(E(tilt) == near(sum, 1e-12));
     }
 }
 
 TEST_CASE("B16, B20: the flux of a Lambert square and sphere, of a cosine spot and a cone; pi L") {
     const Radiance<double>  L{1};
     const Intensity<double> I{1};
-    CHECK(lambert_flux(L, Area<double>{4}).value() == Approx(12.566370614359173).epsilon(1e-14));
-    CHECK(lambert_flux(L, Area<double>{4 * pi}).value() == Approx(39.478417604357434).epsilon(1e-14));
-    CHECK(cosine_spot_flux(I, 20.0).value() == Approx(0.29919930034188507).epsilon(1e-14));
-    CHECK(cone_flux(I, radians(30)).value() == Approx(0.84178721447693293).epsilon(1e-14));
-    CHECK(cone_flux(I, pi).value() == Approx(4 * pi).epsilon(1e-14));
-    CHECK(lambert_radiosity(L).value() == Approx(3.1415926535897932).epsilon(1e-15));
+    CHECK(lambert_flux(L, Area<double>{4}).value() == near(12.566370614359173, 1e-14));
+    CHECK(lambert_flux(L, Area<double>{4 * pi}).value() == near(39.478417604357434, 1e-14));
+    CHECK(cosine_spot_flux(I, 20.0).value() == near(0.29919930034188507, 1e-14));
+    CHECK(cone_flux(I, radians(30)).value() == near(0.84178721447693293, 1e-14));
+    CHECK(cone_flux(I, pi).value() == near(4 * pi, 1e-14));
+    CHECK(lambert_radiosity(L).value() == near(3.1415926535897932, 1e-15));
 }
 
 TEST_CASE("lamps that cannot be are refused, by name and value") {
