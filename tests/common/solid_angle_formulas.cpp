@@ -94,18 +94,18 @@ TEST_CASE("elliptic integrals: Carlson's published values, and integrals") {
 }
 
 TEST_CASE("A1: a sphere's solid angle keeps its digits at any distance; from inside it is 4 pi") {
-    for (const auto& [d, expected] : {std::pair{1.5, 1.5999754864857689},
-                                      {2.0, 0.84178721447693293},
-                                      {10.0, 0.031494861522999096},
-                                      {1e3, 3.1415934389883493e-6},
-                                      {1e8, 3.1415926535897933e-16}}) {
-        CHECK(solid_angle(Sphere<double>{{0, d, 0}, 1}).value() == near(expected, 1e-15));
-        CHECK(solid_angle(Sphere<float>{{0, 0, float(d)}, 1}).value() == near(expected, 5e-7));
+    for (const auto& [distance, expected] : {std::pair{1.5, 1.5999754864857689},
+                                             {2.0, 0.84178721447693293},
+                                             {10.0, 0.031494861522999096},
+                                             {1e3, 3.1415934389883493e-6},
+                                             {1e8, 3.1415926535897933e-16}}) {
+        CHECK(solid_angle(Sphere<double>{{0, distance, 0}, 1}).value() == near(expected, 1e-15));
+        CHECK(solid_angle(Sphere<float>{{0, 0, float(distance)}, 1}).value() == near(expected, 5e-7));
     }
     // a hair above the surface: the cosine is small, and has its digits
-    const double hair   = (1 + 3e-13) - 1;
-    const double cosine = std::sqrt(hair * (2 + hair)) / (1 + hair);
-    CHECK(2 * pi - solid_angle(Sphere<double>{{0, 1 + hair, 0}, 1}).value() == near(2 * pi * cosine, 1e-9));
+    const double r = 0.7, d = r * (1 + 3e-13), above = d - r;  // the difference is exact
+    const double cosine = std::sqrt(above * (2 * r + above)) / d;
+    CHECK(2 * pi - solid_angle(Sphere<double>{{0, d, 0}, r}).value() == near(2 * pi * cosine, 1e-6));
     CHECK(solid_angle(Sphere<double>{{0, 0.9, 0}, 1}).value() == 4 * pi);
     CHECK(solid_angle(Sphere<double>{{0, 1, 0}, 1}).value() == 2 * pi);
     CHECK(std::isnan(solid_angle(Sphere<double>{{0, std::nan(""), 0}, 1}).value()));
