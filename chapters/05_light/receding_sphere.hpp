@@ -24,14 +24,17 @@ struct RecedingSphere {
     explicit RecedingSphere(int size)
         : camera{pinhole_camera<double>({0, 0, 0}, {0, 0, 1}, {0, 1, 0}, 2, 1, size, size)} {}
 
+    /// One of the rays through a pixel, by its number: they form a square.
+    [[nodiscard]] Ray<double> ray(int x, int y, int i) const {
+        const int column = i % side, row = i / side;
+        return camera.ray({x + (column + 0.5) / side, y + (row + 0.5) / side});
+    }
+
     /// The radiance that the pixel receives, averaged over its rays.
     [[nodiscard]] double pixel(double distance, int x, int y) const {
         const Sphere<double> sphere{{0, 0, distance}, 1};
         int                  hits = 0;
-        for (int i = 0; i < side * side; ++i) {
-            const Vector2<double> at{x + (i % side + 0.5) / side, y + (i / side + 0.5) / side};
-            hits += intersect(sphere, camera.ray(at)) ? 1 : 0;
-        }
+        for (int i = 0; i < side * side; ++i) hits += intersect(sphere, ray(x, y, i)) ? 1 : 0;
         return double(hits) / (side * side);
     }
 
@@ -77,10 +80,8 @@ struct RecedingSphere {
     for_each_pixel(size, size, {.threads = threads}, [&](int x, int y) {
         Spectrum sum;
         for (int i = 0; i < globe.side * globe.side; ++i) {
-            const Vector2<double> at{x + (i % globe.side + 0.5) / globe.side,
-                                     y + (i / globe.side + 0.5) / globe.side};
-            const auto            ray = globe.camera.ray(at);
-            const auto            t   = intersect(sphere, ray);
+            const auto ray = globe.ray(x, y, i);
+            const auto t   = intersect(sphere, ray);
             sum = sum + (t ? globe_radiance(ray.at(*t) - sphere.centre) : Spectrum{0.02F, 0.02F, 0.03F});
         }
         film(x, y) = sum / float(globe.side * globe.side);

@@ -69,6 +69,7 @@ extern "C" {
 [[gnu::noinline, gnu::used, gnu::section("sr_typed")]] double sr_sum_of_quantities(const Lamps& l) {
     return sum_of_quantities(l).value();
 }
+// NOLINTNEXTLINE(bugprone-reserved-identifier): the linker's names
 extern const char __start_sr_bare[], __stop_sr_bare[], __start_sr_typed[], __stop_sr_typed[];
 }
 
