@@ -18,15 +18,15 @@ Mesh<double> uv_sphere(int bands) {
     const auto n = std::uint32_t(bands), columns = 2 * n;
 
     Mesh<double> mesh;
-    mesh.vertices.push_back({0, 0, 1});
+    mesh.vertices.emplace_back(0, 0, 1);
     for (std::uint32_t i = 1; i < n; ++i) {
         for (std::uint32_t j = 0; j < columns; ++j) {
             const double theta = std::numbers::pi * i / n, phi = std::numbers::pi * j / n;
-            mesh.vertices.push_back(
-                {std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)});
+            mesh.vertices.emplace_back(std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi),
+                                       std::cos(theta));
         }
     }
-    mesh.vertices.push_back({0, 0, -1});
+    mesh.vertices.emplace_back(0, 0, -1);
 
     const auto ring  = [&](std::uint32_t i, std::uint32_t j) { return 1 + (i - 1) * columns + j % columns; };
     const auto south = std::uint32_t(mesh.vertices.size() - 1);
