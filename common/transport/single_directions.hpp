@@ -7,6 +7,7 @@
 
 #include "material/bsdf.hpp"
 #include "material/lobe_sum.hpp"
+#include "sampling/choice.hpp"
 
 namespace sr {
 
@@ -40,21 +41,15 @@ void draw_single_direction(const LobeSum<T>& sum, const Vector3<T>& wo, Vector2<
         return std::visit([&]<class L>(const L&) { return DeltaLobe<L, T> ? T(mean(part.weight)) : T{0}; },
                           part.lobe);
     };
-    T total = 0;
-    for (const auto& part : sum.lobes()) total += chance(part);
-    u.x *= total;
-    for (const auto& part : sum.lobes()) {
-        const T p = chance(part);
-        if (!(u.x < p)) {
-            u.x -= p;
-            continue;
-        }
-        u.x /= p;  // uniform again: what is left of the number that chose
-        const auto one = std::visit(
-            [&](const auto& lobe) { return lobe.sample(wo, u, TransportMode::radiance); }, part.lobe);
-        if (one) follow(one->wi, float(one->weight * total / p) * part.weight);
-        return;
-    }
+    const auto chosen = choose(sum.lobes(), chance, u.x);
+    if (!chosen) return;
+    const auto& part = sum.lobes()[chosen->index];
+    const auto  one  = std::visit(
+        [&](const auto& lobe) {
+            return lobe.sample(wo, {chosen->u, u.y}, TransportMode::radiance);
+        },
+        part.lobe);
+    if (one) follow(one->wi, float(one->weight / chosen->chance) * part.weight);
 }
 
 }  // namespace sr
