@@ -51,7 +51,7 @@ template <class Misses>
         chapter.chart("steps_that_miss", "What lies between two steps is not seen",
                       {.x = "length $s$ of a step", .y = "true hits missed [%]", .log = course::axis::xy});
     const auto& options = chapter.options();
-    for (const double step : {1.2, 0.7, 0.3, 0.14, 0.07, 0.035, 0.022})  // between those that are counted
+    for (const double step : {1.2, 0.022})  // beyond those that are counted
         chart.add("unit sphere, $s^2/12$", step, 100 * step * step / 12);
     for (const double step : {1.0, 0.5, 0.2, 0.1, 0.05, 0.025}) {
         chart.add("unit sphere, counted", step, percent_missed(options, 400, [&](double where, double phase) {
@@ -64,6 +64,8 @@ template <class Misses>
                       }));
         }
     }
+    chart.as_line("unit sphere, $s^2/12$");
+    chart.as_points("unit sphere, counted");
     chart.caption(
         "Half the step, a quarter of the misses: true of a sphere, and of no help against what is thin "
         "everywhere. Rays and phases are evenly spread, not random.");

@@ -3,6 +3,7 @@
 /// A chart is a table of rows and the statement which column is drawn along which axis. The table is kept as
 /// CSV, and gnuplot draws that file: the picture can't say anything else.
 
+#include <map>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -43,14 +44,18 @@ struct MarkedX {
     std::string label;
 };
 
+/// How a curve is drawn.
+enum class Stroke { line_and_points, line, points };
+
 /// Everything that a chart holds.
 struct ChartData {
-    std::string          name;   ///< stem of its files
-    std::string          title;  ///< TeX
-    Axes                 axes;
-    Rows                 table   = {};
-    std::string          caption = {};  ///< TeX; the claim that was measured
-    std::vector<MarkedX> marked  = {};
+    std::string                   name;   ///< stem of its files
+    std::string                   title;  ///< TeX
+    Axes                          axes;
+    Rows                          table   = {};
+    std::string                   caption = {};  ///< TeX; the claim that was measured
+    std::vector<MarkedX>          marked  = {};
+    std::map<std::string, Stroke> strokes = {};
 };
 
 /// Handle of a chart; copies fill the same chart.
@@ -72,6 +77,12 @@ public:
     [[nodiscard]] double at(std::string_view series, double x) const;
 
     void caption(std::string text) { data_->caption = std::move(text); }
+
+    /// Draws a curve as a line without points: a closed form.
+    void as_line(std::string series) { data_->strokes[std::move(series)] = Stroke::line; }
+    /// Draws a curve as points without a line, with their bars: what is measured beside a closed form.
+    void as_points(std::string series) { data_->strokes[std::move(series)] = Stroke::points; }
+
     void mark_x(double x, std::string label) { data_->marked.push_back({x, std::move(label)}); }
 
     [[nodiscard]] const ChartData& data() const { return *data_; }

@@ -114,6 +114,19 @@ bool has_positive(const std::vector<Curve>& curves) {
     });
 }
 
+Stroke stroke_of(const ChartData& chart, const std::string& series) {
+    const auto found = chart.strokes.find(series);
+    return found == chart.strokes.end() ? Stroke::line_and_points : found->second;
+}
+
+/// @throws std::invalid_argument where a curve was to be drawn in a way of its own, but has no row
+void check_strokes(const ChartData& chart, const std::vector<Curve>& all) {
+    for (const auto& [series, stroke] : chart.strokes)
+        if (std::ranges::find(all, series, &Curve::name) == all.end())
+            throw std::invalid_argument(
+                fmt::format("chart {}: no curve {} to draw as a line or as points", chart.name, series));
+}
+
 /// In the words of the note under the chart, for a curve of which no point can be drawn.
 std::string why_not_shown(const ChartData& chart, const Rows& grouped, const Curve& curve) {
     bool all_gaps = true;
@@ -151,11 +164,11 @@ class Labeller {
 public:
     Labeller(const Frame& frame, const std::vector<Curve>& curves) : frame_{frame} {
         for (const Curve& curve : curves) {
-            std::vector<Point>& line = obstacles_.curves.emplace_back();
-            for (const Point& p : curve.points) {
-                line.push_back(on_canvas(p));
-                obstacles_.boxes.push_back({line.back() - 5.0, line.back() + 5.0});
-            }
+            std::vector<Point> line;
+            for (const Point& p : curve.points) line.push_back(on_canvas(p));
+            if (curve.stroke != Stroke::line)
+                for (const Point& p : line) obstacles_.boxes.push_back({p - 5.0, p + 5.0});
+            if (curve.stroke != Stroke::points) obstacles_.curves.push_back(std::move(line));
         }
     }
 
@@ -256,7 +269,8 @@ Curves curves_of(const ChartData& chart, const Rows& grouped) {
     for (std::size_t i = 0; i < grouped.rows.size(); ++i) {
         const auto& row = grouped.rows[i];
         if (all.empty() || all.back().name != row[series].text())
-            all.push_back({row[series].text(), static_cast<Ink>(all.size() % inks), i, i, {}});
+            all.push_back({row[series].text(), static_cast<Ink>(all.size() % inks), i, i,
+                           stroke_of(chart, row[series].text())});
         all.back().last_row = i;
         const Point p{row[x].number(), row[y].number()};
         const bool  gap = !row[y].is_number();
@@ -265,6 +279,7 @@ Curves curves_of(const ChartData& chart, const Rows& grouped) {
         if (shown) all.back().points.push_back(p);
     }
     if (all.empty()) throw std::invalid_argument(fmt::format("chart {}: it has no rows", chart.name));
+    check_strokes(chart, all);
 
     if (is_log(chart, axis::y) && !has_positive(all)) {  // 0 has no place where no other number gives one
         for (Curve& curve : all) curve.points.clear();

@@ -19,7 +19,8 @@ struct Curve {
     Ink                ink;
     std::size_t        first_row;
     std::size_t        last_row;
-    std::vector<Point> points;  ///< what its axes can show: no gap, nothing negative where logarithmic
+    Stroke             stroke;
+    std::vector<Point> points = {};  ///< what its axes can show: no gap, nothing negative where logarithmic
 };
 
 /// The curves that the axes can show, and those that they can't: of no point, or below 0 on a logarithmic axis.

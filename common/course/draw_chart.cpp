@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "course/chart_frame.hpp"
 #include "course/draw.hpp"
@@ -113,6 +114,19 @@ std::string texts_of(const ChartData& chart, const Frame& frame, const Dialect& 
     return script;
 }
 
+/// In gnuplot's words.
+std::string_view words_of(Stroke stroke) {
+    switch (stroke) {
+        case Stroke::line:
+            return "lines linewidth 2.5";
+        case Stroke::points:
+            return "points linewidth 2.5 pointtype 7 pointsize 0.6";
+        case Stroke::line_and_points:
+            return "linespoints linewidth 2.5 pointtype 7 pointsize 0.6";
+    }
+    throw std::logic_error{"a stroke that nobody drew"};
+}
+
 /// One curve, drawn from its rows of the CSV: its spread, then its line.
 std::string plot_of(const ChartData& chart, const Curve& curve, const Frame& frame, const Dialect& dialect,
                     const std::string& csv) {
@@ -143,10 +157,8 @@ std::string plot_of(const ChartData& chart, const Curve& curve, const Frame& fra
     }
     const std::string height =
         frame.y.shows_zero() ? fmt::format("(${0}==0?{1:.10g}:${0})", y, frame.y.zero()) : std::to_string(y);
-    return plot + fmt::format(
-                      "{} using {}:{} {} with linespoints linewidth 2.5 pointtype 7 pointsize 0.6 linecolor "
-                      "rgb '{}'",
-                      data, x, height, title, hex(curve.ink));
+    return plot + fmt::format("{} using {}:{} {} with {} linecolor rgb '{}'", data, x, height, title,
+                              words_of(curve.stroke), hex(curve.ink));
 }
 
 }  // namespace

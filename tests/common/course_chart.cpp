@@ -183,6 +183,30 @@ TEST_CASE("a gap interrupts the line") {
     if (whole >= 0) CHECK(lines_drawn(chart) == whole - 2);
 }
 
+TEST_CASE("a closed form is a line without points, and what is measured are points with bars") {
+    Chart chart{"c", "t", {.x = "time [s]", .y = "error", .columns = speed_accuracy()}};
+    for (const double x : {1.0, 2.0, 3.0}) {
+        chart.add("law", x, x, {0, 0});
+        chart.add("measured", x, x, {0, 0.25});
+        chart.add("neither", x, 2 * x, {0, 0.25});
+    }
+    const std::string both = chart_script(chart.data(), "c.csv", "svg");
+    CHECK(both.find("title 'law' with linespoints") != std::string::npos);
+
+    chart.as_line("law");
+    chart.as_points("measured");
+    const std::string script = chart_script(chart.data(), "c.csv", "svg");
+    CHECK(script.find("title 'law' with lines ") != std::string::npos);
+    CHECK(script.find("title 'law' with linespoints") == std::string::npos);
+    CHECK(script.find("title 'measured' with vectors") != std::string::npos);  // its bars
+    CHECK(script.find("title 'measured' with points") != std::string::npos);
+    CHECK(script.find("title 'neither' with linespoints") != std::string::npos);
+
+    chart.as_line("lwa");
+    CHECK_THROWS_WITH_AS((void)laid_out(chart), "chart c: no curve lwa to draw as a line or as points",
+                         std::invalid_argument);
+}
+
 TEST_CASE("a logarithmic axis shows 0 below its numbers, and names under the chart what it can't show") {
     Chart chart{"c", "t", {.x = "x", .y = "y", .log = axis::y}};
     for (const double x : {1.0, 2.0}) {
