@@ -7,7 +7,6 @@
 #include <optional>
 
 #include "each_ray.hpp"
-#include "estimate.hpp"
 #include "geometry/ray.hpp"
 #include "geometry/sphere.hpp"
 #include "math/extremes.hpp"
@@ -15,6 +14,7 @@
 #include "math/vector.hpp"
 #include "sampling/ball.hpp"
 #include "sampling/rng.hpp"
+#include "statistics/estimate.hpp"
 
 namespace sr {
 

@@ -6,7 +6,6 @@
 #include <limits>
 
 #include "each_ray.hpp"
-#include "estimate.hpp"
 #include "geometry/offset.hpp"
 #include "geometry/ray.hpp"
 #include "geometry/sphere.hpp"
@@ -14,6 +13,7 @@
 #include "math/vector.hpp"
 #include "sampling/ball.hpp"
 #include "sampling/rng.hpp"
+#include "statistics/estimate.hpp"
 
 namespace sr {
 

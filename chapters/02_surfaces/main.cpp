@@ -12,7 +12,6 @@
 #include "along_a_ray.hpp"
 #include "any_surface.hpp"
 #include "course/chapter.hpp"
-#include "estimate.hpp"
 #include "far_sphere.hpp"
 #include "geometry/plane.hpp"
 #include "geometry/sphere.hpp"
@@ -68,16 +67,17 @@ void claim_wrong(course::Chapter& chapter, const course::Chart& wrong) {
 /// 2.3  How far away can a sphere be before the school formula loses it?
 void sphere_at_a_distance(course::Chapter& chapter) {
     chapter.section("2.3 The sphere, and how the school formula loses it");
-    const std::string x        = "distance [radii]";
-    auto              wrong    = chapter.chart("sphere_at_a_distance", "A unit sphere, seen from far away",
-                                               axes_with_error(x, "wrong hits and misses [% of the rays]"));
-    auto              worst    = chapter.chart("sphere_t_error", "The same rays: how far off is a hit?",
-                                               {.x = x, .y = "largest error of $t$ [radii]", .log = course::axis::xy});
-    double            wrong_se = 0;
-    const auto        race     = [&]<class T>(const std::string& name, T, const auto& method) {
+    const std::string x     = "distance [radii]";
+    auto              wrong = chapter.chart(
+                     "sphere_at_a_distance", "A unit sphere, seen from far away",
+                     course::with_error({.x = x, .y = "wrong hits and misses [% of the rays]", .log = course::axis::xy}));
+    auto       worst    = chapter.chart("sphere_t_error", "The same rays: how far off is a hit?",
+                                        {.x = x, .y = "largest error of $t$ [radii]", .log = course::axis::xy});
+    double     wrong_se = 0;
+    const auto race     = [&]<class T>(const std::string& name, T, const auto& method) {
         for (double distance = 10; distance <= 1e9; distance *= 10) {
             const auto errors = far_sphere<T>(distance, rays, chapter.options().threads, method);
-            add(wrong, name, distance, {errors.wrong, errors.wrong_se});
+            wrong.add(name, distance, {errors.wrong, errors.wrong_se});
             worst.add(name, distance, errors.worst_t);
             wrong_se = max_or_nan(wrong_se, errors.wrong_se);
         }
@@ -110,12 +110,14 @@ void sphere_at_a_distance(course::Chapter& chapter) {
 /// 2.7  What is under somebody's feet who stands on a planet?
 void standing_on_a_planet(course::Chapter& chapter) {
     chapter.section("2.7 Standing on a planet");
-    auto       chart = chapter.chart("planet", "Looking down from a height of 1, in float",
-                                     axes_with_error("radius of the planet", "error of $t$ [% of $t$], median"));
+    auto chart = chapter.chart(
+        "planet", "Looking down from a height of 1, in float",
+        course::with_error(
+            {.x = "radius of the planet", .y = "error of $t$ [% of $t$], median", .log = course::axis::xy}));
     const auto stand = [&](const std::string& name, Place place, const auto& method) {
         for (float radius = 10; radius <= 1e7F; radius *= 10)
-            add(chart, name, radius,
-                median_error_on_planet(radius, place, rays / 5, chapter.options().threads, method));
+            chart.add(name, radius,
+                      median_error_on_planet(radius, place, rays / 5, chapter.options().threads, method));
     };
     const auto plain = [](const auto& sphere, const auto& ray) {
         return ground_below(sphere, ray, PlainConstant{});
@@ -189,17 +191,19 @@ void claim_leaving(course::Chapter& chapter, const course::Chart& self, const co
 /// 2.8  Where does a ray start that leaves a surface?
 void leaving_a_surface(course::Chapter& chapter) {
     chapter.section("2.8 Leaving a surface");
-    const std::string x      = "radius of the sphere";
-    auto              self   = chapter.chart("leaving_self_hits", "Rays that leave a sphere outwards",
-                                             axes_with_error(x, "rays that meet what they leave [%]"));
-    auto              lost   = chapter.chart("leaving_lost_hits", "Rays that leave it inwards",
-                                             axes_with_error(x, "rays that miss the other side [%]"));
-    const auto        launch = [&](const std::string& name, const auto& method) {
+    const std::string x    = "radius of the sphere";
+    auto              self = chapter.chart(
+                     "leaving_self_hits", "Rays that leave a sphere outwards",
+                     course::with_error({.x = x, .y = "rays that meet what they leave [%]", .log = course::axis::xy}));
+    auto lost = chapter.chart(
+        "leaving_lost_hits", "Rays that leave it inwards",
+        course::with_error({.x = x, .y = "rays that miss the other side [%]", .log = course::axis::xy}));
+    const auto launch = [&](const std::string& name, const auto& method) {
         for (const double radius : radii) {
             const auto errors =
                 leaving_errors(radius, Spread::uniform, rays, chapter.options().threads, method);
-            add(self, name, radius, {errors.self_hits, errors.self_hits_se});
-            add(lost, name, radius, {errors.lost, errors.lost_se});
+            self.add(name, radius, {errors.self_hits, errors.self_hits_se});
+            lost.add(name, radius, {errors.lost, errors.lost_se});
         }
     };
     launch(fixed, by_fixed_epsilon);

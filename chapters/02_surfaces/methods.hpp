@@ -11,13 +11,13 @@
 #include <vector>
 
 #include "course/chapter.hpp"
-#include "estimate.hpp"
 #include "geometry/implicit_closed_form.hpp"
 #include "geometry/implicit_intervals.hpp"
 #include "geometry/implicit_marching.hpp"
 #include "geometry/implicit_segment_tracing.hpp"
 #include "geometry/implicit_sphere_tracing.hpp"
 #include "sampling/rng.hpp"
+#include "statistics/estimate.hpp"
 #include "textbook_quartic.hpp"
 #include "transport/tiles.hpp"
 

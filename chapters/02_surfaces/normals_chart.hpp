@@ -13,12 +13,12 @@
 
 #include "course/chapter.hpp"
 #include "differences.hpp"
-#include "estimate.hpp"
 #include "gallery.hpp"
 #include "geometry/implicit_normal.hpp"
 #include "math/angle.hpp"
 #include "math/degrees.hpp"
 #include "sampling/rng.hpp"
+#include "statistics/estimate.hpp"
 #include "statistics/running.hpp"
 
 namespace sr {
@@ -72,20 +72,21 @@ template <std::floating_point T>
 }
 
 [[nodiscard]] inline course::Chart chart_normals(course::Chapter& chapter) {
-    auto chart = chapter.chart(
-        "normals", "Normals of a torus of radii 2 and 0.5",
-        axes_with_error("$h$ of the differences [length]", "mean angle to the true normal [deg]"));
+    auto       chart       = chapter.chart("normals", "Normals of a torus of radii 2 and 0.5",
+                                           course::with_error({.x   = "$h$ of the differences [length]",
+                                                               .y   = "mean angle to the true normal [deg]",
+                                                               .log = course::axis::xy}));
     const auto duals_float = mean_angle_of_duals<float>(), duals_double = mean_angle_of_duals<double>();
     const auto by_hand = mean_angle<float>(gradient_by_hand<float>);
     for (int i = -24; i <= -2; ++i) {
         const double h        = half_decade(i);
         const auto   in_float = mean_angle_of_differences<float>(h);
         if (in_float.value > 0)  // not where they are 0, and the angle NaN
-            add(chart, "differences, float", h, in_float);
-        add(chart, "differences, double", h, mean_angle_of_differences<double>(h));
-        add(chart, "dual numbers, float", h, duals_float);
-        add(chart, "dual numbers, double", h, duals_double);
-        add(chart, "by hand, float", h, by_hand);
+            chart.add("differences, float", h, in_float);
+        chart.add("differences, double", h, mean_angle_of_differences<double>(h));
+        chart.add("dual numbers, float", h, duals_float);
+        chart.add("dual numbers, double", h, duals_double);
+        chart.add("by hand, float", h, by_hand);
     }
     chart.mark_x(std::cbrt(double(std::numeric_limits<float>::epsilon())), "$\\varepsilon^{1/3}$, float");
     chart.mark_x(std::cbrt(std::numeric_limits<double>::epsilon()), "$\\varepsilon^{1/3}$, double");

@@ -6,13 +6,13 @@
 #include <concepts>
 
 #include "each_ray.hpp"
-#include "estimate.hpp"
 #include "geometry/ray.hpp"
 #include "geometry/sphere.hpp"
 #include "math/difference_of_squares.hpp"
 #include "math/vector.hpp"
 #include "sampling/ball.hpp"
 #include "sampling/rng.hpp"
+#include "statistics/estimate.hpp"
 #include "textbook_sphere.hpp"
 
 namespace sr {

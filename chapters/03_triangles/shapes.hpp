@@ -69,16 +69,6 @@ template <std::floating_point T>
     return intersect(Triangle<T>{in(a), in(b), in(c)}, ray).has_value();
 }
 
-/// Axes of means, or of shares, with their standard errors.
-[[nodiscard]] inline course::Axes with_error(course::Axes axes) {
-    axes.columns = {.headers = {"series", axes.x, axes.y, "standard_error"},
-                    .series  = "series",
-                    .x       = axes.x,
-                    .y       = axes.y,
-                    .error   = "standard_error"};
-    return axes;
-}
-
 inline constexpr auto watertight = []<class T>(const Triangle<T>& triangle, const Ray<T>& ray) {
     return TriangleRay<T>(ray).intersect(triangle, in_front<T>);
 };
@@ -90,7 +80,8 @@ inline constexpr int small_triangles = 4000, far_triangles = 20'000;
 [[nodiscard]] inline course::Chart chart_small_triangles(course::Chapter& chapter) {
     auto chart = chapter.chart(
         "small_triangles", "Rays at triangles of all sizes, in float",
-        with_error({.x = "size of the triangles", .y = "triangles missed [%]", .log = course::axis::x}));
+        course::with_error(
+            {.x = "size of the triangles", .y = "triangles missed [%]", .log = course::axis::x}));
     const auto shots = random_shots(small_triangles);
     const auto add   = [&](const std::string& name, double size, const auto& intersect) {
         const double missed = percent_missed(
@@ -120,7 +111,7 @@ inline constexpr int small_triangles = 4000, far_triangles = 20'000;
 [[nodiscard]] inline course::Chart chart_needles(course::Chapter& chapter) {
     auto chart = chapter.chart(
         "needles", "Area of a needle from its three sides, in float",
-        with_error(
+        course::with_error(
             {.x = "short side / long side", .y = "relative error of the area", .log = course::axis::xy}));
     for (int quarters = 0; quarters >= -28; --quarters) {
         const double ratio = std::pow(10.0, quarters / 4.0);
@@ -145,9 +136,9 @@ inline constexpr int small_triangles = 4000, far_triangles = 20'000;
 /// Figure 3.8: rays at random points of triangles that stand ever farther from the origin.
 [[nodiscard]] inline course::Chart chart_far_away(course::Chapter& chapter) {
     auto       chart = chapter.chart("far_away", "Triangles of size 1 far from the origin",
-                                     with_error({.x   = "distance [sizes of the triangle]",
-                                                 .y   = "rays that miss their triangle [%]",
-                                                 .log = course::axis::xy}));
+                                     course::with_error({.x   = "distance [sizes of the triangle]",
+                                                         .y   = "rays that miss their triangle [%]",
+                                                         .log = course::axis::xy}));
     const auto shots = random_shots(far_triangles);
     for (int exponent = 0; exponent <= 28; ++exponent) {
         const double distance = std::pow(10.0, exponent / 4.0);

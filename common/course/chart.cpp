@@ -26,6 +26,15 @@ Columns speed_accuracy(const std::vector<std::string>& more) {
     return columns;
 }
 
+Axes with_error(Axes axes) {
+    axes.columns = {.headers = {"series", axes.x, axes.y, "standard error"},
+                    .series  = "series",
+                    .x       = axes.x,
+                    .y       = axes.y,
+                    .error   = "standard error"};
+    return axes;
+}
+
 Chart::Chart(std::string name, std::string title, Axes axes) {
     Columns& columns = axes.columns;
     if (columns.headers.empty())

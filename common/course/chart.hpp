@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "course/csv.hpp"
+#include "statistics/estimate.hpp"
 
 namespace sr::course {
 
@@ -38,6 +39,10 @@ struct Axes {
     Columns     columns = {};  ///< by default `series`, the title of x, the title of y
 };
 
+/// Axes of a chart of estimates: "standard error" is a column, and a bar of one stands at each point.
+///     chapter.chart("lost", "Rays that are lost", with_error({.x = "radius", .y = "lost [%]"}))
+[[nodiscard]] Axes with_error(Axes axes);
+
 /// A vertical line with a name, such as where two curves cross.
 struct MarkedX {
     double      x;
@@ -65,6 +70,9 @@ public:
 
     /// One point of a curve; `more` fills the columns that are neither of the three, in their order.
     void add(std::string_view series, double x, double y, const std::vector<Cell>& more = {});
+
+    /// One point with its bar, on axes with_error().
+    void add(std::string_view series, double x, Estimate y) { add(series, x, y.value, {y.error}); }
 
     /// One row, a cell for each column.
     /// @throws std::invalid_argument naming chart, curve and x where a value that is drawn is not finite

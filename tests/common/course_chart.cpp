@@ -84,6 +84,17 @@ TEST_CASE("a speed/accuracy chart has the columns of all of them") {
         std::invalid_argument);
 }
 
+TEST_CASE("a chart of estimates keeps their errors and draws them as bars") {
+    Chart chart{"c", "t", with_error({.x = "radius", .y = "lost [%]", .log = axis::x})};
+    chart.add("float", 0.5, Estimate{.value = 3, .error = 0.25});
+    chart.add("double", 0.5, 0, {0});
+    CHECK(to_csv(chart.data().table) ==
+          "series,radius,lost [%],standard error\nfloat,0.5,3,0.25\ndouble,0.5,0,0\n");
+    CHECK(chart.data().axes.log == axis::x);
+    CHECK(chart_script(chart.data(), "c.csv", "svg").find("($3-$4)") != std::string::npos);
+    CHECK_THROWS_AS(chart.add("float", 1, 2), std::invalid_argument);
+}
+
 TEST_CASE("labels cover neither each other nor a curve, and stay on the canvas") {
     const Chart  chart  = crowded();
     const Curves curves = curves_of(chart.data(), grouped_by_series(chart.data()));
