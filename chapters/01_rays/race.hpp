@@ -22,7 +22,7 @@ namespace sr {
 /// Seconds for a whole image, and the share of pixels that name another triangle than a rasteriser in double.
 struct Lap {
     std::string method;
-    double      seconds, seconds_min, seconds_max;
+    double      seconds, slowest;
     double      error, error_se;
 };
 
@@ -84,15 +84,14 @@ private:
                           const std::vector<Pixel>& where) const {
         const Estimate wrong = share(wrong_pixels(image, reference_, where), where.size());
         const bool     all   = where.size() == image.pixels().size();  // which leaves nothing to chance
-        return {timing.name,        timing.median * scale, timing.min * scale,
-                timing.max * scale, wrong.value,           all ? 0 : wrong.error};
+        return {timing.name, timing.seconds * scale, timing.slowest * scale, wrong.value,
+                all ? 0 : wrong.error};
     }
 
     [[nodiscard]] static Lap with_build(const course::Timing& build, Lap traced) {
         traced.method = "rays, hierarchy and its building";
-        traced.seconds += build.median;
-        traced.seconds_min += build.min;
-        traced.seconds_max += build.max;
+        traced.seconds += build.seconds;
+        traced.slowest += build.slowest;
         return traced;
     }
 

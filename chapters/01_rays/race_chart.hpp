@@ -35,15 +35,15 @@ struct Curves {
     std::vector<double>                        building = {};  ///< [s] of the hierarchy alone
 };
 
-/// Seconds against what grows, with the spread of the repeats, and the columns of every speed/accuracy chart.
+/// Seconds against what grows, with a bar up to the slowest repeat, and the columns of every speed/accuracy chart.
 [[nodiscard]] inline course::Axes race_axes(const std::string& x) {
     course::Axes axes{.x = x, .y = "time for an image [s]", .log = course::axis::xy};
-    axes.columns       = course::speed_accuracy({"triangles", "pixels", "seconds_min", "seconds_max"});
+    axes.columns       = course::speed_accuracy({"triangles", "pixels", "slowest"});
     axes.columns.x     = "effort";
     axes.columns.y     = "seconds";
     axes.columns.error = "";
-    axes.columns.min   = "seconds_min";
-    axes.columns.max   = "seconds_max";
+    axes.columns.min   = "seconds";
+    axes.columns.max   = "slowest";
     return axes;
 }
 
@@ -54,7 +54,7 @@ inline void add(course::Chart& chart, Curves& curves, const Race& race, const co
     curves.x.push_back(effort);
     for (const auto& lap : race.run(draft ? 1 : 3, draft ? 2e6 : 1.5e7, options.seed)) {
         chart.row({lap.method, effort, lap.seconds, lap.error, lap.error_se, race.triangles(), race.pixels(),
-                   lap.seconds_min, lap.seconds_max});
+                   lap.slowest});
         curves.seconds[lap.method].push_back(lap.seconds);
     }
     curves.building.push_back(curves.seconds["rays, hierarchy and its building"].back() -

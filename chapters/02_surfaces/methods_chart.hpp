@@ -35,7 +35,7 @@ struct Lap {
     const auto       timings = course::measure(work, draft ? 1 : 5);
     std::vector<Lap> laps;
     for (std::size_t i = 0; i < methods.size(); ++i)
-        laps.push_back({methods[i], race.score(methods[i]), timings[i].median / double(timed)});
+        laps.push_back({methods[i], race.score(methods[i]), timings[i].seconds / double(timed)});
     if (hits == 0) throw std::logic_error("no ray of the race hits its surface");
     return laps;
 }

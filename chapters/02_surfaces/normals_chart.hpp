@@ -144,7 +144,7 @@ inline void chart_normals_speed(course::Chapter& chapter) {
                                   .log     = course::axis::y,
                                   .columns = columns});
     for (std::size_t i = 0; i < ways.size(); ++i) {
-        const double seconds = timings[i].median / double(points.size());
+        const double seconds = timings[i].seconds / double(points.size());
         chart.row(
             {ways[i].name, ways[i].effort, seconds, ways[i].angle.value, ways[i].angle.error, 1e9 * seconds});
     }

@@ -24,7 +24,7 @@ namespace sr {
 struct Climb {
     std::string method;
     double      seconds, build_seconds;  ///< for a ray, for the hierarchy
-    double      fastest, slowest;        ///< of the runs, seconds for a ray
+    double      slowest;                 ///< of the runs, seconds for a ray
     double      error, error_se;         ///< share of rays that it answers unlike brute force
 };
 
@@ -84,11 +84,11 @@ public:
         std::vector<Climb> result;
         const auto         add = [&](const std::string& method, const course::Timing& rays, double count,
                              double build_seconds, std::pair<double, double> error) {
-            result.push_back({method, rays.median / count, build_seconds, rays.min / count, rays.max / count,
-                              error.first, error.second});
+            result.push_back({method, rays.seconds / count, build_seconds, rays.slowest / count, error.first,
+                              error.second});
         };
         for (std::size_t i = 0; i < built.size(); ++i)
-            add(name_of(i), timings[2 + 2 * i], double(rays_.size()), timings[1 + 2 * i].median,
+            add(name_of(i), timings[2 + 2 * i], double(rays_.size()), timings[1 + 2 * i].seconds,
                 differing(all, *built[i], asked));
         add("all triangles", timings[0], double(asked), 0, {0, 0});
         if (hits == 0) throw std::logic_error("no ray of the ladder hit its mesh");

@@ -42,12 +42,12 @@ namespace sr {
     return {.x       = "triangles",
             .y       = "times as many rays per second",
             .log     = course::axis::x,
-            .columns = {.headers = {"method", "triangles", "gain", "least", "most"},
+            .columns = {.headers = {"method", "triangles", "gain", "least"},
                         .series  = "method",
                         .x       = "triangles",
                         .y       = "gain",
                         .min     = "least",
-                        .max     = "most"}};
+                        .max     = "gain"}};
 }
 
 /// The rays after which a method has caught up with another one that needs no building, or less of it.
@@ -67,7 +67,7 @@ public:
                                ladder_axes("time to build [s]", "build_seconds"))) {
         const std::string pieces = " Below 52 triangles, pieces of the coarsest teapot.";
         speed_.caption("Lines that come from everywhere and meet the box around the mesh." + pieces);
-        relative_.caption("The same lines; bars from the slowest run to the fastest." + pieces);
+        relative_.caption("The same lines; bars from the slowest run on." + pieces);
         build_.caption(
             "Median parts the triangles along one axis; binned counts them in bins, and swept sorts them, "
             "along "
@@ -90,8 +90,7 @@ public:
                                             climb.build_seconds,
                                             std::isfinite(pay) ? pay : 0};
         speed_.row(row);
-        if (!is_all)
-            relative_.row({climb.method, n, gain(climb.seconds), gain(climb.slowest), gain(climb.fastest)});
+        if (!is_all) relative_.row({climb.method, n, gain(climb.seconds), gain(climb.slowest)});
         if (!is_all && n > 3 && climb.method != "the core's choice") build_.row(row);
         table_.add({n, climb.method, climb.seconds * 1e9, climb.build_seconds * 1e3,
                     is_all    ? course::Cell("-")

@@ -104,7 +104,7 @@ public:
         for (std::size_t i = 0; i < works.size(); ++i) {
             const double n = square(double(sides[i % sides.size()]));
             chart_.row(
-                {works[i].name, n, timings[i].median / double(lamps.size()), errors[i].rms, errors[i].se});
+                {works[i].name, n, timings[i].seconds / double(lamps.size()), errors[i].rms, errors[i].se});
         }
         errors_ = errors;
     }

@@ -106,8 +106,8 @@ inline void chart_albedo(course::Chart chart, const std::vector<AlbedoLap>& laps
     const auto timings = course::measure(work, quality == course::Quality::draft ? 3 : 25);
     if (!(sum > 0)) throw std::logic_error("all albedos are 0");
     for (std::size_t i = 0; i < laps.size(); ++i)
-        chart.row({laps[i].name, laps[i].effort, timings[i].median / times[i], laps[i].error,
-                   laps[i].error_se, 1e6 * timings[i].median / times[i]});
+        chart.row({laps[i].name, laps[i].effort, timings[i].seconds / times[i], laps[i].error,
+                   laps[i].error_se, 1e6 * timings[i].seconds / times[i]});
 }
 
 [[nodiscard]] inline course::Axes albedo_axes() {

@@ -36,7 +36,7 @@ inline void chart_quality(course::Chart chart, const SceneView& view, const cour
     const auto timings = course::measure(work, draft ? 1 : 7);
     for (std::size_t i = 0; i < all.size(); ++i) {
         const auto [error, se] = judge.error(all[i]);
-        chart.row({all[i].name, all[i].effort, timings[i].median, error, se});
+        chart.row({all[i].name, all[i].effort, timings[i].seconds, error, se});
     }
 }
 

@@ -3,6 +3,7 @@
 #include "course/timing.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace sr::course {
 namespace {
@@ -12,24 +13,26 @@ constexpr double warm_up = 0.1;  // [s]
 }  // namespace
 
 std::vector<Timing> measure(const std::vector<Work>& all, int repeats) {
-    std::vector<std::vector<double>> seconds(all.size());
-    const auto                       run_all = [&] {
-        for (std::size_t i = 0; i < all.size(); ++i) seconds[i].push_back(seconds_of(all[i].run));
-    };
-    const double first = seconds_of(run_all);
-    if (first < warm_up) {
-        for (auto& of_one : seconds) of_one.clear();
-    }
-    while (seconds[0].size() < std::size_t(repeats)) run_all();
-
     std::vector<Timing> timings;
-    for (std::size_t i = 0; i < all.size(); ++i) {
-        std::vector<double>& sorted = seconds[i];
-        std::sort(sorted.begin(), sorted.end());
-        const double low  = sorted[(sorted.size() - 1) / 2];
-        const double high = sorted[sorted.size() / 2];
-        timings.push_back({all[i].name, (low + high) / 2, sorted.front(), sorted.back()});
+    const auto          forget = [&] {
+        timings.clear();
+        for (const Work& work : all)
+            timings.push_back({work.name, std::numeric_limits<double>::infinity(), 0});
+    };
+    const auto run_all = [&] {
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            const double seconds = seconds_of(all[i].run);
+            timings[i].seconds   = std::min(timings[i].seconds, seconds);
+            timings[i].slowest   = std::max(timings[i].slowest, seconds);
+        }
+    };
+    forget();
+    int counted = 1;
+    if (seconds_of(run_all) < warm_up) {
+        forget();
+        counted = 0;
     }
+    for (; counted < repeats; ++counted) run_all();
     return timings;
 }
 

@@ -23,12 +23,14 @@ struct Work {
     std::function<void()> run;
 };
 
-/// Seconds for one run: the median of the repeats and their extremes.
+/// Seconds for one run. All repeats do the same work, and what else the machine does can only add to their times: the
+/// fastest is the one disturbed least, and estimates the work itself. A median would still hold what disturbs most of
+/// them, so that on a busy machine more work may seem to take less time.
+/// @see   Chen and Revels, Robust benchmarking in noisy environments (2016), which finds the same
 struct Timing {
     std::string name;
-    double      median = 0;
-    double      min    = 0;
-    double      max    = 0;
+    double      seconds = 0;  ///< of the fastest repeat
+    double      slowest = 0;
 };
 
 /// Runs all, then all again, `repeats` times, so that what else the machine does hits all of them alike.

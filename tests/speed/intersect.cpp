@@ -210,12 +210,12 @@ course::Rows measure(const std::vector<Contender>& all) {
                          }});
     }
     const auto   timings = course::measure(works, repeats);
-    course::Rows rows{{"thing", "method", "effort", "precision", "ns", "min", "max", "hit_percent"}};
+    course::Rows rows{{"thing", "method", "effort", "precision", "ns", "slowest", "hit_percent"}};
     for (std::size_t i = 0; i < all.size(); ++i) {
         const auto&  one = all[i];
         const double ns  = 1e9 / one.tests;
-        rows.add({one.thing, one.method, one.effort, one.precision, ns * timings[i].median,
-                  ns * timings[i].min, ns * timings[i].max, 100 * double(one.hits()) / one.tests});
+        rows.add({one.thing, one.method, one.effort, one.precision, ns * timings[i].seconds,
+                  ns * timings[i].slowest, 100 * double(one.hits()) / one.tests});
     }
     if (total == 0) throw std::logic_error("no ray of the benchmark hit anything");
     return rows;

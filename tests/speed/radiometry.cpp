@@ -91,11 +91,10 @@ course::Rows measure() {
                                           {"quantities", [&] { typed = sum_of_quantities(all).value(); }}},
                                          repeats);
     if (!(bare == typed)) throw std::logic_error("quantities: their sum is not that of bare numbers");
-    course::Rows rows{{"sum of", "ns", "min", "max", "ratio", "code_bytes", "same_code"}};
+    course::Rows rows{{"sum of", "ns", "slowest", "ratio", "code_bytes", "same_code"}};
     for (std::size_t i = 0; i < 2; ++i)
-        rows.add({timings[i].name, 1e9 * timings[i].median / lamps, 1e9 * timings[i].min / lamps,
-                  1e9 * timings[i].max / lamps, timings[i].median / timings[0].median,
-                  i == 0 ? code().bare : code().typed, code().same});
+        rows.add({timings[i].name, 1e9 * timings[i].seconds / lamps, 1e9 * timings[i].slowest / lamps,
+                  timings[i].seconds / timings[0].seconds, i == 0 ? code().bare : code().typed, code().same});
     return rows;
 }
 
