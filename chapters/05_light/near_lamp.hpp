@@ -17,12 +17,28 @@ namespace sr {
 
 enum class NearLamp { area, solid_angle, projected_solid_angle };
 
-/// One estimate of its irradiance, cos L / pdf. By area the density is that of (5.22), which is as large as r^2 is small.
+/// A direction of the cone about +z by its foot on the receiver's plane, whose points are drawn alike: uniform in the
+/// projected solid angle.
+/// @param sine  of the cone's half-angle, at most 1
+[[nodiscard]] inline Vector3<double> sample_projected_cone(Vector2<double> u, double sine) {
+    const auto foot = sample_disk(u, sine);
+    return {foot, std::sqrt(1 - dot(foot, foot))};
+}
+
+/// cos / (pi sine^2), for cos d(omega) is the area of the foot; 0 outside of the cone.
+[[nodiscard]] inline Pdf<measure::SolidAngle> pdf_projected_cone(const Vector3<double>& w, double sine) {
+    return {w.z * pdf_disk(Vector2<double>(w), sine).value};
+}
+
+/// One estimate of its irradiance, cos L / pdf. By area the density is that of (5.22), which is as large as r^2 is
+/// small.
 /// @param h  height of the disk over the receiver
 [[nodiscard]] inline double near_lamp_estimate(double h, NearLamp way, Vector2<double> u) {
     const double sine = 1 / std::hypot(1, h);  // of the lamp's half-angle
-    if (way == NearLamp::projected_solid_angle)
-        return std::numbers::pi * square(sine);  // cos / (cos / pi sin^2)
+    if (way == NearLamp::projected_solid_angle) {
+        const auto w = sample_projected_cone(u, sine);
+        return w.z / pdf_projected_cone(w, sine).value;
+    }
     if (way == NearLamp::solid_angle) {
         const auto w = sample_cone(u, sine);
         return w.z / pdf_cone(w, sine).value;

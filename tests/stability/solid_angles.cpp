@@ -10,6 +10,7 @@
 #include <tuple>
 
 #include "../../chapters/05_light/near_lamp.hpp"
+#include "../../chapters/05_light/small_lamps.hpp"
 #include "../../chapters/05_light/textbook_solid_angles.hpp"
 #include "catalogue.hpp"
 #include "geometry/sphere.hpp"
@@ -87,19 +88,18 @@ TEST_CASE(
           Row{1e-3, 4.9999975e-7, 2.38e-7, 5e-7}, Row{1e-4, 4.999999975e-9, -2.38e-7, 5e-9},
           Row{1e-6, 5e-13, 0, 5.00044e-13}}) {
         CAPTURE(s);
-        const auto small = [side = s]<class T>(T) {
-            return Triangle<T>{{0, 0, 1}, {T(side), 0, 1}, {0, T(side), 1}};
-        };
+        const auto   girard_in_float = [](float legs) { return girard_solid_angle(small_triangle(legs)); };
         // in float, what is left below 10^-2 is a few last digits of pi, and which ones is chance
-        const double girard = double(girard_solid_angle(small(0.0F)));
+        const double girard = double(girard_in_float(float(s)));
         if (s >= 1e-2)
             CHECK(girard == near(in_float, 0.05));
         else
             CHECK(std::abs(girard - exact) <= 1.5e-6);
+        if (s <= 1e-3) CHECK(worst_relative_error(s, girard_in_float, exact_triangle) >= 0.2);
         if (s <= 1e-4) CHECK(std::abs(girard - exact) >= 0.5 * exact);
-        CHECK(girard_solid_angle(small(0.0)) == near(in_double, 1e-2));
-        CHECK(double(solid_angle(small(0.0F)).value()) == near(exact, 5e-7));
-        CHECK(solid_angle(small(0.0)).value() == near(exact, 1e-9));
+        CHECK(girard_solid_angle(small_triangle(s)) == near(in_double, 1e-2));
+        CHECK(double(solid_angle(small_triangle(float(s))).value()) == near(exact, 5e-7));
+        CHECK(solid_angle(small_triangle(s)).value() == near(exact, 1e-9));
     }
     // Nothing is special about the axis, or about atan2 alone: a . (b x c), as it is printed, loses the same digits.
     const Triangle<float>  aside{{0.6F, -0.5F, 0.7F}, {0.601F, -0.5003F, 0.7F}, {0.6002F, -0.499F, 0.7005F}};
@@ -167,6 +167,24 @@ TEST_CASE(
         CHECK(projected.mean() == near(mean, 1e-12));
         CHECK(std::sqrt(projected.variance()) <= 1e-12);
     }
+    // Directions uniform in the projected solid angle, each counted as 1 / pdf, add up to the solid angle; drawn from a
+    // wrong cone or with its density they do not.
+    const auto solid_angle_by = [](double drawn, double weighed) {
+        Running of;
+        Rng     rng{2, 0, 0, 0};
+        for (int i = 0; i < 100'000; ++i) {
+            const double x = rng.uniform<double>();
+            const auto   w = sample_projected_cone({x, rng.uniform<double>()}, drawn);
+            of.add(1 / pdf_projected_cone(w, weighed).value);
+        }
+        return of;
+    };
+    const auto from_exact = [](const Running& of) {
+        return std::abs(of.mean() - 2 * pi * cone_height(0.9)) / of.standard_error();
+    };
+    CHECK(from_exact(solid_angle_by(0.9, 0.9)) <= 5);
+    CHECK(from_exact(solid_angle_by(0.88, 0.9)) > 10);
+    CHECK(from_exact(solid_angle_by(0.9, 0.92)) > 10);
     for (const auto& [h, mean, variance] : {std::tuple{1.0, 1.5707963267948966, 0.41123351671205661},
                                             {0.5, 2.5132741228718346, 6.7376499378103355},
                                             {0.1, 3.1104877758314785, 319.31135985468837}}) {
