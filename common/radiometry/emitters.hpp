@@ -3,11 +3,12 @@
 /// The flux of the usual lamps, from what is known of them: the integral of radiance over area and projected solid
 /// angle, or of intensity over directions.
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <concepts>
 #include <numbers>
 #include <stdexcept>
-#include <string>
 
 #include "radiometry/quantity.hpp"
 #include "radiometry/solid_angle.hpp"
@@ -18,8 +19,7 @@ namespace sr {
 template <std::floating_point T>
 void require_light(const char* what, T value) {
     if (!(value >= 0 && std::isfinite(value)))
-        throw std::invalid_argument(std::string(what) + " is " + std::to_string(value) +
-                                    "; must be 0 or more, and finite");
+        throw std::invalid_argument(fmt::format("{} is {}; must be 0 or more, and finite", what, value));
 }
 
 /// B = pi L [W/m^2], of what shines equally into all directions of a hemisphere: a Lambert emitter.
@@ -44,7 +44,7 @@ template <std::floating_point T>
 [[nodiscard]] Flux<T> cone_flux(Intensity<T> I, T half_angle) {
     require_light("intensity", I.value());
     if (!(half_angle >= 0 && half_angle <= std::numbers::pi_v<T>))
-        throw std::invalid_argument("half-angle is " + std::to_string(half_angle) + "; must be 0 to pi");
+        throw std::invalid_argument(fmt::format("half-angle is {}; must be 0 to pi", half_angle));
     return I * cap_solid_angle(half_angle);
 }
 

@@ -4,6 +4,8 @@
 /// everywhere and into all directions gives the receiver the irradiance E = L times it, equation (5.15). The receiver
 /// lies in the origin with normal +z, and what is below its horizon does not count.
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <concepts>
@@ -12,7 +14,6 @@
 #include <numbers>
 #include <span>
 #include <stdexcept>
-#include <string>
 
 #include "geometry/disk.hpp"
 #include "geometry/sphere.hpp"
@@ -51,8 +52,8 @@ template <std::floating_point T>
     const T R      = disk.radius;
     const T lowest = disk.centre.z - R * std::hypot(disk.normal.x, disk.normal.y);
     if (!(lowest >= -4 * std::numeric_limits<T>::epsilon() * R))
-        throw std::invalid_argument("disk: its lowest point is at z = " + std::to_string(lowest) +
-                                    "; must be above the receiver's horizon, z = 0");
+        throw std::invalid_argument(fmt::format(
+            "disk: its lowest point is at z = {}; must be above the receiver's horizon, z = 0", lowest));
     const T          h       = dot(disk.centre, disk.normal);
     const Vector3<T> lateral = disk.centre - h * disk.normal;
     const T          a2 = dot(lateral, lateral), h2 = square(h), R2 = square(R);

@@ -10,7 +10,8 @@
 
 #include <compare>
 #include <concepts>
-#include <type_traits>
+
+#include "radiometry/spectrum.hpp"
 
 namespace sr {
 
@@ -54,13 +55,25 @@ private:
     V value_{};
 };
 
-/// A value without a unit, by which every quantity may be multiplied.
-template <class K>
-inline constexpr bool is_quantity = false;
-template <Unit U, class V>
-inline constexpr bool is_quantity<Quantity<U, V>> = true;
-template <class K>
-concept Bare = !is_quantity<K> && !std::integral<K>;
+/// What a value is made of: a Spectrum of floats.
+template <class V>
+struct ScalarOf {
+    using type = V;
+};
+template <>
+struct ScalarOf<Spectrum> {
+    using type = float;
+};
+
+/// Values that may be multiplied: both of floats or both of doubles, so that none becomes another type unasked. A
+/// quantity is none, nor is a whole number.
+template <class V, class X>
+concept Multipliable =
+    std::floating_point<typename ScalarOf<V>::type> && std::same_as < typename ScalarOf<V>::type,
+typename ScalarOf<X>::type > ;
+/// And divided, which is by a number, never by a colour.
+template <class V, class X>
+concept Divisible = std::floating_point<X> && Multipliable<V, X>;
 
 /// The value in its unit; where units have cancelled, the bare value.
 template <Unit U, class V>
@@ -73,24 +86,36 @@ template <Unit U, class V>
 
 /// The exponents add up.
 template <Unit U, class V, Unit W, class X>
+requires Multipliable<V, X>
 [[nodiscard]] constexpr auto operator*(const Quantity<U, V>& a, const Quantity<W, X>& b) {
     return in_unit<U * W>(a.value() * b.value());
 }
 template <Unit U, class V, Unit W, class X>
+requires Divisible<V, X>
 [[nodiscard]] constexpr auto operator/(const Quantity<U, V>& a, const Quantity<W, X>& b) {
     return in_unit<U / W>(a.value() / b.value());
 }
-template <Bare K, Unit U, class V>
+
+// A value without a unit has exponents of 0.
+template <class K, Unit U, class V>
+requires Multipliable<K, V>
 [[nodiscard]] constexpr auto operator*(const K& k, const Quantity<U, V>& q) {
     return in_unit<U>(k * q.value());
 }
-template <Bare K, Unit U, class V>
+template <Unit U, class V, class K>
+requires Multipliable<V, K>
 [[nodiscard]] constexpr auto operator*(const Quantity<U, V>& q, const K& k) {
     return in_unit<U>(q.value() * k);
 }
-template <Bare K, Unit U, class V>
+template <Unit U, class V, class K>
+requires Divisible<V, K>
 [[nodiscard]] constexpr auto operator/(const Quantity<U, V>& q, const K& k) {
     return in_unit<U>(q.value() / k);
+}
+template <class K, Unit U, class V>
+requires Divisible<K, V>
+[[nodiscard]] constexpr auto operator/(const K& k, const Quantity<U, V>& q) {
+    return in_unit<Unit{} / U>(k / q.value());
 }
 
 template <class V>

@@ -6,15 +6,18 @@
 #include <concepts>
 #include <numbers>
 
+#include "radiometry/emitters.hpp"
 #include "radiometry/quantity.hpp"
 
 namespace sr {
 
 /// Under a sky of the same radiance everywhere: pi L (1 + cos(tilt)) / 2.
 /// @param tilt  between the facet's normal and the zenith [rad], 0 to pi
+/// @throws std::invalid_argument if the radiance is negative or not finite
 /// @see   Liu and Jordan, The Long-Term Average Performance of Flat-Plate Solar-Energy Collectors (1963)
 template <std::floating_point T>
 [[nodiscard]] Irradiance<T> uniform_sky_irradiance(Radiance<T> L, T tilt) {
+    require_light("radiance of the sky", L.value());
     return L * SolidAngle<T>{std::numbers::pi_v<T> * (1 + std::cos(tilt)) / 2};
 }
 
@@ -23,9 +26,11 @@ template <std::floating_point T>
 /// (2/3) ((pi - tilt) cos(tilt) + sin(tilt)).
 /// @param zenith  radiance at the zenith
 /// @param tilt    as above
+/// @throws std::invalid_argument if the radiance is negative or not finite
 /// @see   Moon and Spencer, Illumination from a Non-Uniform Sky (1942); CIE standard S 011
 template <std::floating_point T>
 [[nodiscard]] Irradiance<T> overcast_sky_irradiance(Radiance<T> zenith, T tilt) {
+    require_light("radiance of the sky", zenith.value());
     constexpr T pi     = std::numbers::pi_v<T>;
     const T     cosine = std::cos(tilt);
     const T     rising = T(4) / 3 * ((pi - tilt) * cosine + std::sin(tilt));

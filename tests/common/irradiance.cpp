@@ -96,7 +96,8 @@ TEST_CASE("a sphere that sets: cut by the horizon, against quadrature") {
             const double beta = pi / 2 + 0.11 * i * std::asin(s);
             CAPTURE(d);
             CAPTURE(beta);
-            CHECK(pi * factor(sphere_at(d, beta)) == near(cone_by_quadrature(s, beta), 1e-6));
+            const double expected = cone_by_quadrature(s, beta);
+            CHECK(std::abs(pi * factor(sphere_at(d, beta)) - expected) <= 1e-10 * expected + 5e-17);
         }
         CHECK(factor(sphere_at(d, pi / 2 + 1.001 * std::asin(s))) == 0);
         // the two formulas meet where the sphere touches the horizon
@@ -130,10 +131,9 @@ TEST_CASE("a disk that is turned and aside, against quadrature; one that the hor
         const Disk<double> turned{disk.centre, -disk.normal, disk.radius};
         CHECK(projected_solid_angle(turned).value() == near(projected_solid_angle(disk).value(), 1e-14));
     }
-    CHECK_THROWS_WITH_AS(
-        (void)projected_solid_angle(Disk<double>{{0, 3, 0.5}, {0, 1, 0}, 1}),
-        "disk: its lowest point is at z = -0.500000; must be above the receiver's horizon, z = 0",
-        std::invalid_argument);
+    CHECK_THROWS_WITH_AS((void)projected_solid_angle(Disk<double>{{0, 3, 0.5}, {0, 1, 0}, 1}),
+                         "disk: its lowest point is at z = -0.5; must be above the receiver's horizon, z = 0",
+                         std::invalid_argument);
     CHECK_THROWS_AS((void)projected_solid_angle(Disk<double>{{0, 3, std::nan("")}, {0, 1, 0}, 1}),
                     std::invalid_argument);
 }

@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 #include <stdexcept>
+#include <string>
 #include <type_traits>
 
 #include "math/degrees.hpp"
@@ -52,6 +53,15 @@ constexpr bool mix =
     Addable<A, B> || Addable<B, A> || Subtractable<A, B> || Comparable<A, B> || Ordered<A, B> ||
     Assignable<A, B> || std::is_convertible_v<A, B> || std::is_constructible_v<A, B>;
 
+template <class A, class B>
+concept Multiplied = requires(A a, B b) {
+    a* b;
+};
+template <class A, class B>
+concept Divided = requires(A a, B b) {
+    a / b;
+};
+
 template <class Product, class A, class B>
 constexpr bool product_is = std::is_same_v<decltype(A{} * B{}), Product>;
 template <class Quotient, class A, class B>
@@ -74,6 +84,8 @@ TEST_CASE_TEMPLATE("quantities: products and quotients have the unit that physic
     CHECK(product_is<Irradiance<V>, Intensity<V>, SolidAnglePerArea<V>>);
     CHECK(product_is<Flux<V>, V, Flux<V>>);
     CHECK(product_is<Flux<V>, Flux<V>, V>);
+    CHECK(quotient_is<Flux<V>, Flux<V>, V>);
+    CHECK(quotient_is<Rate<V>, V, Time<V>>);
 }
 
 TEST_CASE("quantities: what physics forbids does not compile") {
@@ -91,7 +103,16 @@ TEST_CASE("quantities: what physics forbids does not compile") {
     CHECK_FALSE(mix<E, Irradiance<float>>);
     CHECK_FALSE(mix<Irradiance<Spectrum>, Irradiance<float>>);
     CHECK_FALSE(Ordered<Irradiance<Spectrum>, Irradiance<Spectrum>>);
+    CHECK_FALSE((Multiplied<double, Flux<float>> || Multiplied<Flux<float>, double>));
+    CHECK_FALSE((Multiplied<Flux<float>, SolidAngle<double>> || Divided<Flux<float>, Area<double>>));
+    CHECK_FALSE((Divided<Flux<float>, double> || Divided<double, Time<float>>));
+    CHECK_FALSE((Multiplied<Irradiance<Spectrum>, double> || Divided<Spectrum, Irradiance<Spectrum>>));
+    // nor is a text or a whole number a value
+    CHECK_FALSE((Multiplied<E, const char*> || Multiplied<std::string, E> || Divided<E, std::string>));
+    CHECK_FALSE((Multiplied<E, int> || Divided<int, E>));
     // the right ones do: the concepts above can be true
+    CHECK((Multiplied<double, E> && Multiplied<E, Area<double>> && Divided<E, double> && Divided<double, E>));
+    CHECK((Multiplied<Spectrum, Irradiance<float>> && Divided<Irradiance<Spectrum>, float>));
     CHECK((Addable<E, E> && Subtractable<E, E> && Comparable<E, E> && Ordered<E, E> && Assignable<E&, E>));
 }
 
@@ -183,8 +204,8 @@ TEST_CASE("B16, B20: the flux of a Lambert square and sphere, of a cosine spot a
 
 TEST_CASE("lamps that cannot be are refused, by name and value") {
     const double nan = std::nan(""), infinite = std::numeric_limits<double>::infinity();
-    CHECK_THROWS_WITH_AS((void)lambert_radiosity(Radiance<double>{-1}),
-                         "radiance is -1.000000; must be 0 or more, and finite", std::invalid_argument);
+    CHECK_THROWS_WITH_AS((void)lambert_radiosity(Radiance<double>{-1e-9}),
+                         "radiance is -1e-09; must be 0 or more, and finite", std::invalid_argument);
     for (const double bad : {-1.0, nan, infinite}) {
         CHECK_THROWS_AS((void)lambert_radiosity(Radiance<double>{bad}), std::invalid_argument);
         CHECK_THROWS_AS((void)lambert_flux(Radiance<double>{1}, Area<double>{bad}), std::invalid_argument);
@@ -194,5 +215,7 @@ TEST_CASE("lamps that cannot be are refused, by name and value") {
         CHECK_THROWS_AS((void)cosine_spot_flux(Intensity<double>{1}, bad), std::invalid_argument);
         CHECK_THROWS_AS((void)point_irradiance(Intensity<double>{bad}, 1.0, Length<double>{1}),
                         std::invalid_argument);
+        CHECK_THROWS_AS((void)uniform_sky_irradiance(Radiance<double>{bad}, 1.0), std::invalid_argument);
+        CHECK_THROWS_AS((void)overcast_sky_irradiance(Radiance<double>{bad}, 1.0), std::invalid_argument);
     }
 }
