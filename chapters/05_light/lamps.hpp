@@ -39,7 +39,7 @@ public:
     /// Of the square around the disk: what misses the disk counts nothing.
     [[nodiscard]] double by_solid_angle(Vector2<double> u) const {
         const auto p = around_.sample(u);
-        return square(p.x - aside_) + square(p.y) <= 1 ? p.z / length(p) / around_.pdf().value : 0;
+        return square(p.x - aside_) + square(p.y) <= 1 ? p.z / length(p) / around_.pdf(p).value : 0;
     }
 
 private:
@@ -70,7 +70,7 @@ public:
     }
     [[nodiscard]] double by_solid_angle(Vector2<double> u) const {
         const auto p = seen_.sample(u);
-        return visible(p) ? p.z / length(p) / seen_.pdf().value : 0;
+        return visible(p) ? p.z / length(p) / seen_.pdf(p).value : 0;
     }
 
 private:

@@ -1,5 +1,6 @@
 #pragma once
 /// @file spherical_rectangle.hpp
+/// Directions to a rectangle, each as likely, in the triple sample, pdf, invert.
 
 #include <algorithm>
 #include <cmath>
@@ -33,7 +34,13 @@ public:
 
     [[nodiscard]] T solid_angle() const { return solid_angle_; }
 
-    [[nodiscard]] Pdf<measure::SolidAngle> pdf() const { return {1 / double(solid_angle_)}; }
+    /// 1 / solid angle, and 0 of a direction that passes by the rectangle.
+    /// @param w  of any length: a point that was drawn is one
+    [[nodiscard]] Pdf<measure::SolidAngle> pdf(const Vector3<T>& w) const {
+        const auto p      = point(w);
+        const bool inside = w.z > 0 && p.x >= low_.x && p.x <= high_.x && p.y >= low_.y && p.y <= high_.y;
+        return {inside ? 1 / double(solid_angle_) : 0};
+    }
 
     /// The point of the rectangle in a direction drawn: u.x is the share of the solid angle that lies at smaller x, and
     /// at that x, u.y that at smaller y.
@@ -44,12 +51,28 @@ public:
         const T c     = std::clamp(std::copysign(1 / std::hypot(f, b0_), f), T{-1}, T{1});
         const T x     = std::clamp(c * z_ / std::sqrt((1 - c) * (1 + c)), low_.x, high_.x);
         const T d     = std::hypot(x, z_);
-        const T h0 = low_.y / std::hypot(d, low_.y), h1 = high_.y / std::hypot(d, high_.y);
+        const T h0 = sine(low_.y, d), h1 = sine(high_.y, d);
         const T h = h0 + u.y * (h1 - h0);
         return {x, std::clamp(h * d / std::sqrt((1 - h) * (1 + h)), low_.y, high_.y), z_};
     }
 
+    /// The two shares of a direction: undoes `sample`.
+    /// @pre pdf(w) > 0
+    [[nodiscard]] Vector2<T> invert(const Vector3<T>& w) const {
+        const auto p       = point(w);
+        const T    smaller = SphericalRectangle(low_, {p.x, high_.y}, z_).solid_angle();
+        const T    d       = std::hypot(p.x, z_);
+        const T    h0 = sine(low_.y, d), h1 = sine(high_.y, d);
+        return {smaller / solid_angle_, (sine(p.y, d) - h0) / (h1 - h0)};
+    }
+
 private:
+    /// Where a direction meets the rectangle's plane.
+    [[nodiscard]] Vector2<T> point(const Vector3<T>& w) const { return z_ / w.z * Vector2<T>(w); }
+
+    /// Of the elevation at which y is seen, at the distance d from the x axis's plane.
+    [[nodiscard]] static T sine(T y, T d) { return y / std::hypot(y, d); }
+
     Vector2<T> low_, high_;
     T          z_;
     T          b0_, b1_, k_, solid_angle_;

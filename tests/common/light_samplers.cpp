@@ -4,10 +4,12 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <functional>
 #include <numbers>
+#include <span>
 #include <tuple>
 #include <vector>
 
@@ -120,28 +122,32 @@ TEST_CASE("H1: a disk's points: E[r] = 2/3, E[r^2] = 1/2, where r = u would give
 TEST_CASE_TEMPLATE("spherical rectangle: points lie on it, seen uniformly; A4", T, float, double) {
     const SphericalRectangle<T> seen({1, T(0.5)}, {3, 2}, 1);
     CHECK(double(seen.solid_angle()) == near(0.21207982090554895, sizeof(T) == 4 ? 1e-5 : 1e-13));
-    CHECK(seen.pdf().value == near(1 / 0.21207982090554895, 1e-5));
-    // Of the whole, the share that lies at smaller x, and of a narrow strip at x that at smaller y: uniform both.
-    const auto wedge = [](double x, double y) { return std::atan(x * y / std::sqrt(x * x + y * y + 1)); };
-    const auto below = [&](double x) { return wedge(x, 2) - wedge(x, 0.5) - wedge(1, 2) + wedge(1, 0.5); };
-    const auto sine  = [](double x, double y) { return y / std::hypot(x, y, 1); };
-    const auto u_of  = [&](const Vector3<T>& p) {
-        const double x = double(p.x), y = double(p.y);
-        return Vector2<double>{below(x) / below(3),
-                               (sine(x, y) - sine(x, 0.5)) / (sine(x, 2) - sine(x, 0.5))};
-    };
+    CHECK(seen.pdf({1, 1, T(0.5)}).value == near(1 / 0.21207982090554895, 1e-5));  // (2, 2, 1), on the rim
+    for (const auto& beside :
+         {Vector3<T>{T(0.99), 1, 1}, {T(3.01), 1, 1}, {2, T(0.49), 1}, {2, T(2.01), 1}, {-2, -1, -1}})
+        CHECK(seen.pdf(beside).value == 0);
+    // u.x is the share of the solid angle at smaller x, by another formula; u.y that of a narrow strip at smaller y
+    const std::array<Vector3<double>, 4> part{{{1, 0.5, 1}, {1.7, 0.5, 1}, {1.7, 2, 1}, {1, 2, 1}}};
+    const auto                           sine    = [](double x, double y) { return y / std::hypot(x, y, 1); };
+    const auto                           inverse = seen.invert({T(1.7), T(1.2), 1});
+    CHECK(double(inverse.x) ==
+          near(solid_angle(std::span<const Vector3<double>>(part)).value() / 0.21207982090554895, 1e-5));
+    CHECK(double(inverse.y) ==
+          near((sine(1.7, 1.2) - sine(1.7, 0.5)) / (sine(1.7, 2) - sine(1.7, 0.5)), 1e-5));
     Rng rng{5, 0, 0, 0};
     for (int i = 0; i < 2000; ++i) {
         const auto u = square_point<T>(rng);
         const auto p = seen.sample(u);
         REQUIRE((p.x >= 1 && p.x <= 3 && p.y >= T(0.5) && p.y <= 2 && p.z == 1));
-        REQUIRE(std::abs(u_of(p).x - double(u.x)) <= 2e-5);
-        REQUIRE(std::abs(u_of(p).y - double(u.y)) <= 2e-5);
+        REQUIRE(seen.pdf(p).value > 0);
+        REQUIRE(std::abs(double(seen.invert(p).x - u.x)) <= 2e-5);
+        REQUIRE(std::abs(double(seen.invert(p).y - u.y)) <= 2e-5);
     }
-    CHECK(p_of_uniform([&](Rng& some) { return u_of(seen.sample(square_point<T>(some))); }) > significance);
+    CHECK(p_of_uniform([&](Rng& some) { return seen.invert(seen.sample(square_point<T>(some))); }) >
+          significance);
     // points of the area, each as likely, are not
     CHECK(p_of_uniform([&](Rng& some) {
               const auto u = square_point<T>(some);
-              return u_of({1 + 2 * u.x, T(0.5) + T(1.5) * u.y, 1});
+              return seen.invert({1 + 2 * u.x, T(0.5) + T(1.5) * u.y, 1});
           }) < 1e-6);
 }
