@@ -56,7 +56,7 @@ inline void draw_blobs(course::Diagram diagram, const BlobScene& scene) {
             };
             const auto f = [&](double r) { return scene.f(at(r)); };
             const auto p = at(bisect(f, Interval<double>{0, 1.7 * radius}).value());
-            outline.push_back({p.x, p.y});
+            outline.emplace_back(p.x, p.y);
         }
         diagram.polygon(outline, {course::Ink::green}, 0.25);
         diagram.label({centre.x, centre.y + (centre.y > scene.origin.y ? 0.5 : -0.5)}, "$f < 0$",
@@ -73,7 +73,7 @@ inline void draw_graph(course::Diagram diagram, const BlobScene& scene) {
     diagram.label({scene.end + 0.55, zero}, "$t$");
     std::vector<course::Point> graph;
     for (double x = scene.begin; x <= scene.end; x += 0.05)
-        graph.push_back({x, zero + height * scene.along(x)});
+        graph.emplace_back(x, zero + height * scene.along(x));
     diagram.line(graph, {Ink::blue, course::Weight::thick});
     diagram.label({11.75, zero - 0.6}, "$f(\\mathbf{o} + t\\,\\mathbf{d})$", course::Anchor::left, Ink::blue);
     const double o = scene.origin.x;

@@ -74,7 +74,8 @@ void portray(course::Chapter& chapter, const std::string& name, const std::strin
                           .on_tile = [&](int done, int of) { progress.tick_part(done, of); }};
     for_each_pixel(film.width(), film.height(), loop, [&](int x, int y) {
         for (int part = 0; part < side * side; ++part) {
-            const Vec2 at{float(part % side), float(part / side)};
+            const int  row = part / side, column = part % side;
+            const Vec2 at{float(column), float(row)};
             const auto ray = camera.ray(Vec2(float(x), float(y)) + (at + 0.5F) / float(side));
             film(x, y)     = film(x, y) + 1 / float(side * side) * portrayed(surface, ray, paint);
         }

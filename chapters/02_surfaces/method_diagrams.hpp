@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include "course/chapter.hpp"
@@ -107,7 +108,7 @@ inline void draw_sphere_tracing(course::Diagram diagram) {
 /// from the least to the largest value that f may have there. Values on paper are compressed, large ones most.
 class IntervalPicture {
 public:
-    explicit IntervalPicture(course::Diagram diagram) : diagram_(diagram) {}
+    explicit IntervalPicture(course::Diagram diagram) : diagram_(std::move(diagram)) {}
 
     void draw() {
         using course::Ink;

@@ -93,7 +93,7 @@ private:
         constexpr int row = 64;
         const int     n   = int(rays_.size());
         for_each_pixel(row, n / row, {.threads = threads_},
-                       [&](int x, int y) { of(std::size_t(y * row + x)); });
+                       [&](int x, int y) { of(std::size_t(y) * row + std::size_t(x)); });
     }
 
     int                                threads_;

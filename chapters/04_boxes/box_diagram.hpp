@@ -65,7 +65,7 @@ inline void draw_outline(course::Diagram diagram, double left) {
     const auto draw  = [&](std::uint32_t from) {
         std::vector<course::Point> line;
         for (const auto vertex : walk_edges(edges, from))
-            line.push_back({left + mesh.vertices[vertex].x, mesh.vertices[vertex].z});
+            line.emplace_back(left + mesh.vertices[vertex].x, mesh.vertices[vertex].z);
         if (line.size() > 1) diagram.line(line, {course::Ink::grey});
     };
     const Neighbours all = edges;
