@@ -9,6 +9,8 @@
 #include <stdexcept>
 #include <vector>
 
+#include "course/terminal.hpp"
+
 namespace sr::course {
 
 namespace {
@@ -37,11 +39,11 @@ const Texts letters{
 const Texts symbols{
     {"Gamma", "Γ"}, {"Delta", "Δ"}, {"Theta", "Θ"}, {"Lambda", "Λ"}, {"Sigma", "Σ"}, {"Phi", "Φ"}, {"Psi", "Ψ"},
     {"Omega", "Ω"}, {"infty", "∞"}, {"partial", "∂"}, {"nabla", "∇"}, {"int", "∫"}, {"sum", "∑"}, {"circ", "°"},
-    {"ldots", "…"}, {"perp", "⊥"}, {"langle", "⟨"}, {"rangle", "⟩"}, {",", thin_space}, {";", hard_space}, {" ", hard_space},
+    {"cdot", "\u2009·\u2009"}, {"ldots", "…"}, {"perp", "⊥"}, {"langle", "⟨"}, {"rangle", "⟩"}, {",", thin_space}, {";", hard_space}, {" ", hard_space},
     {"quad", "\u00a0\u00a0"}, {"!", ""}, {"{", "{"}, {"}", "}"}, {"|", "‖"}, {"%", "%"}, {"_", "_"}, {"&", "&"}, {"#", "#"},
     {"$", "$"}, {"left", ""}, {"right", ""}};
 const Texts operators{
-    {"+", "+"}, {"-", "−"}, {"=", "="}, {"<", "<"}, {">", ">"}, {"cdot", "·"}, {"times", "×"}, {"pm", "±"}, {"le", "≤"},
+    {"+", "+"}, {"-", "−"}, {"=", "="}, {"<", "<"}, {">", ">"}, {"times", "×"}, {"pm", "±"}, {"le", "≤"},
     {"leq", "≤"}, {"ge", "≥"}, {"geq", "≥"}, {"ll", "≪"}, {"gg", "≫"}, {"ne", "≠"}, {"neq", "≠"}, {"approx", "≈"},
     {"sim", "∼"}, {"propto", "∝"}, {"in", "∈"}, {"to", "→"}, {"rightarrow", "→"}};
 const Texts accents{{"hat", "\u0302"}, {"bar", "\u0304"}, {"tilde", "\u0303"}, {"vec", "\u20d7"}, {"dot", "\u0307"}};
@@ -242,15 +244,33 @@ struct Writer {
     std::string (*text)(std::string_view);
     std::array<std::string_view, 5> open;  ///< before upright, italic, bold, subscript, superscript
     std::array<std::string_view, 5> close;
+    std::string_view                above  = "";  ///< before a script that shares its place with the next one
+    std::string_view                second = "";  ///< at the start of the latter of two scripts
 };
+
+bool is_script(const Piece& piece) {
+    return piece.kind == Kind::subscript || piece.kind == Kind::superscript;
+}
+
+/// Of one character: gnuplot only guesses how wide a script is, and for longer ones too badly.
+bool is_short(const Piece& script) {
+    return script.inside.size() == 1 && width(script.inside.front().text) == 1;
+}
 
 std::string write(const Pieces& pieces, const Writer& writer) {
     std::string written;
-    for (const Piece& piece : pieces) {
-        const auto        kind = std::size_t(piece.kind);
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+        const Piece&      piece = pieces[i];
+        const auto        kind  = std::size_t(piece.kind);
         const std::string inside =
             piece.inside.empty() ? writer.text(piece.text) : write(piece.inside, writer);
-        written += std::string{writer.open[kind]} + inside + std::string{writer.close[kind]};
+        const bool first  = is_script(piece) && i + 1 < pieces.size() && is_script(pieces[i + 1]);
+        const bool second = is_script(piece) && i > 0 && is_script(pieces[i - 1]);
+        if (first && is_short(piece) && is_short(pieces[i + 1])) written += writer.above;
+        written += writer.open[kind];
+        if (second) written += writer.second;
+        written += inside;
+        written += writer.close[kind];
     }
     return written;
 }
@@ -304,9 +324,12 @@ std::string as_it_is(std::string_view text) {
 }  // namespace
 
 std::string tex_to_enhanced(std::string_view tex) {
-    return write(
-        read(tex),
-        {escape_enhanced, {"", "{/serif:Italic ", "{/serif:Bold ", "_{", "^{"}, {"", "}", "}", "}", "}"}});
+    // the latter of two scripts is a little smaller, or gnuplot's SVG forgets that it is a script and writes it large
+    return write(read(tex), {escape_enhanced,
+                             {"", "{/serif:Italic ", "{/serif:Bold ", "_{", "^{"},
+                             {"", "}", "}", "}", "}"},
+                             "@",
+                             "/*0.99 "});
 }
 
 std::string tex_to_latex(std::string_view tex) {

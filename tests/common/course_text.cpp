@@ -119,7 +119,17 @@ TEST_CASE("TeX becomes gnuplot's text, LaTeX and HTML") {
     CHECK(tex_to_html("$t_{\\min}$, $n^{-1/2}$") == "<i>t</i><sub>min</sub>, <i>n</i><sup>−1/2</sup>");
     CHECK(tex_to_enhanced("$\\omega_i$") == "{/serif:Italic ω}_{{/serif:Italic i}}");
     CHECK(tex_to_plain("$\\sin\\theta \\le 1$ at \\$5") == "sin\u2009θ\u00a0≤\u00a01 at $5");
+    CHECK(tex_to_enhanced("$\\mathbf{n} \\cdot \\mathbf{d}$") ==
+          "{/serif:Bold n}\u2009·\u2009{/serif:Bold d}");
     CHECK(tex_to_html("$x = -1$") == "<i>x</i>\u00a0=\u00a0−1");
+}
+
+TEST_CASE("an exponent stands above the index where both are short, and after it where they are not") {
+    CHECK(tex_to_enhanced("$r_1^2$") == "{/serif:Italic r}@_{1}^{/*0.99 2}");
+    CHECK(tex_to_enhanced("$r^2_1$") == "{/serif:Italic r}@^{2}_{/*0.99 1}");
+    CHECK(tex_to_enhanced("$r_{12}^2$") == "{/serif:Italic r}_{12}^{/*0.99 2}");
+    CHECK(tex_to_enhanced("$r_1 s^2$") == "{/serif:Italic r}_{1}{/serif:Italic s}^{2}");
+    CHECK(tex_to_html("$r_1^2$") == "<i>r</i><sub>1</sub><sup>2</sup>");
 }
 
 TEST_CASE("outside of formulas every character stands for itself") {
