@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
+#include <optional>
 #include <stdexcept>
 
 namespace sr::course {
@@ -69,23 +71,30 @@ Scale scale_of(Extent extent, bool log) {
 }
 
 Extent y_extent(const ChartData& chart, const std::vector<Curve>& curves) {
-    const Columns& columns = chart.axes.columns;
-    const bool     log     = is_log(chart, axis::y);
-    Extent         extent;
-    for (const Curve& curve : curves)
+    const bool log = is_log(chart, axis::y);
+    Extent     extent;
+    for (const Curve& curve : curves) {
         for (const Point& p : curve.points) extent.include(p.y, log);
-    for (const auto& row : chart.table.rows) {
-        const std::string series = row[chart.table.column(columns.series)].text();
-        if (std::none_of(curves.begin(), curves.end(), [&](const Curve& c) { return c.name == series; }))
-            continue;  // its bars are not shown either
-        const auto value = [&](const std::string& name) { return row[chart.table.column(name)].number(); };
-        if (!columns.min.empty()) extent.include(value(columns.min), log);
-        if (!columns.max.empty()) extent.include(value(columns.max), log);
-        // of y - error only the upper half counts on a logarithmic axis: it may be close to 0
-        if (!columns.error.empty()) extent.include(value(columns.y) + value(columns.error), log);
-        if (!columns.error.empty() && !log) extent.include(value(columns.y) - value(columns.error), log);
+        for (const Bar& bar : curve.bars) {
+            extent.include(bar.high, log);
+            // of y - error not on a logarithmic axis: it may be close to 0
+            if (!log || chart.axes.columns.error.empty()) extent.include(bar.low, log);
+        }
     }
     return extent;
+}
+
+/// The bar of a row, where there are bars.
+std::optional<Bar> bar_of(const ChartData& chart, const std::vector<Cell>& row) {
+    const Columns& columns = chart.axes.columns;
+    const auto     value   = [&](const std::string& name) { return row[chart.table.column(name)].number(); };
+    if (!columns.error.empty()) {
+        const double y = value(columns.y), error = value(columns.error);
+        return Bar{value(columns.x), y - error, y + error};
+    }
+    if (!columns.min.empty() && !columns.max.empty())
+        return Bar{value(columns.x), value(columns.min), value(columns.max)};
+    return {};
 }
 
 Extent x_extent(const ChartData& chart, const std::vector<Curve>& curves) {
@@ -169,6 +178,9 @@ public:
             if (curve.stroke != Stroke::line)
                 for (const Point& p : line) obstacles_.boxes.push_back({p - 5.0, p + 5.0});
             if (curve.stroke != Stroke::points) obstacles_.curves.push_back(std::move(line));
+            for (const Bar& bar : curve.bars)
+                obstacles_.curves.push_back(
+                    {on_canvas({bar.x, std::max(bar.low, frame.y.min)}), on_canvas({bar.x, bar.high})});
         }
     }
 
@@ -179,19 +191,27 @@ public:
         const double       half_line = line_height(label_size) / 2;  // below the topmost grid line
         for (double y = frame_.y.to - half_line - block.height() / 2; y > frame_.y.from; y -= half_line)
             places.insert(places.end(), {{x + 6, y}, {x - 6 - block.width, y}});
-        place(block, places, Ink::grey);
+        const auto covered = [&](Point left) { return cost(block.at(left)); };
+        put(block, *std::ranges::min_element(places, {}, covered), Ink::grey);
         obstacles_.curves.push_back({{x, frame_.y.from}, {x, frame_.y.to}});
     }
 
-    /// Beside a point of the curve, the nearer to its end the better.
-    void at_curve(const Curve& curve) {
+    // Where the label of a curve may stand; of each, whether it covers nothing there, and is placed.
+
+    [[nodiscard]] bool right_of_end(const Curve& curve) {
+        return put_first_free({on_canvas(end_of(curve)) + Point{label_gap, 0}}, curve);
+    }
+
+    /// Beside a point in the right half of the curve, the nearer to its end the better.
+    [[nodiscard]] bool beside(const Curve& curve) {
         const TextBlock    block{curve.name};
         const double       up = block.height() / 2 + 8;
         std::vector<Point> places;
-        std::vector<Point> points = curve.points;
+        std::vector<Point> points;
+        for (const Point& p : curve.points) points.push_back(on_canvas(p));
         std::sort(points.begin(), points.end(), [](const Point& a, const Point& b) { return a.x > b.x; });
         for (const Point& p : points) {
-            const Point end = on_canvas(p);
+            if (p.x < (points.front().x + points.back().x) / 2) break;
             for (const Point& shift : {Point{label_gap, 0},
                                        {8, up},
                                        {8, -up},
@@ -199,9 +219,29 @@ public:
                                        {-block.width / 2, -up - 4},
                                        {-block.width - 8, up},
                                        {-block.width - 8, -up}})
-                places.push_back(end + shift);
+                places.push_back(p + shift);
         }
-        place(block, places, curve.ink);
+        return put_first_free(places, curve);
+    }
+
+    /// Farther from the curve's end, with a leader that crosses nothing.
+    [[nodiscard]] bool around_end(const Curve& curve) {
+        const TextBlock block{curve.name};
+        const Point     end = on_canvas(end_of(curve));
+        for (double distance = 25; distance <= 100; distance += 15)
+            for (int twelfth = 0; twelfth < 12; ++twelfth) {  // of a turn, from straight up
+                const double angle = twelfth * std::numbers::pi / 6;
+                const Point  towards{std::sin(angle), std::cos(angle)};
+                const Point  side = end + distance * towards;  // the middle of the label's near side
+                const Point  left = towards.x < 0 ? side - Point{block.width, 0} : side;
+                const std::vector<Point> leader{end + 8.0 * towards, side - 3.0 * towards};
+                if (cost(block.at(left)) > 0 || crosses(leader)) continue;
+                put(block, left, curve.ink);
+                labels.back().leader = leader;
+                obstacles_.curves.push_back(leader);
+                return true;
+            }
+        return false;
     }
 
     /// In the right margin, as near as there is room to the heights at which the curves end.
@@ -218,8 +258,10 @@ public:
             const Point     end   = on_canvas(end_of(*curves[i]));
             const Point     left  = {frame_.x.to + label_gap, heights[i]};
             PlacedLabel     label = block.placed(left, curves[i]->ink);
-            if (std::abs(left.y - end.y) > 6 || left.x - end.x > 3 * label_gap)
+            if (std::abs(left.y - end.y) > 6 || left.x - end.x > 3 * label_gap) {
                 label.leader = {end + Point{7, 0}, left - Point{3, 0}};
+                obstacles_.curves.push_back(label.leader);
+            }
             labels.push_back(label);
             obstacles_.boxes.push_back(block.at(left));
         }
@@ -230,28 +272,67 @@ public:
 private:
     [[nodiscard]] Point on_canvas(Point value) const { return {frame_.x(value.x), frame_.y(value.y)}; }
 
-    /// At the first place that covers nothing, or else the one that covers least.
-    void place(const TextBlock& block, const std::vector<Point>& places, Ink ink) {
-        const auto cost = [&](Point left) {
-            const Box  box    = block.at(left);
-            const bool inside = box.min.x >= frame_.x.from && box.max.x <= Canvas::width - 4 &&
-                                box.min.y >= frame_.y.from && box.max.y <= frame_.y.to + 4;
-            return obstacles_.covered_by(box) + (inside ? 0 : 1000);
-        };
-        Point best   = places.front();
-        int   lowest = cost(best);
-        for (const Point& left : places)
-            if (const int covered = lowest == 0 ? 0 : cost(left); covered < lowest) {
-                best   = left;
-                lowest = covered;
-            }
-        labels.push_back(block.placed(best, ink));
-        obstacles_.boxes.push_back(block.at(best));
+    /// How much a label covers; more than all else counts what is not on the canvas.
+    [[nodiscard]] int cost(const Box& box) const {
+        const bool inside = box.min.x >= frame_.x.from && box.max.x <= Canvas::width - 4 &&
+                            box.min.y >= frame_.y.from && box.max.y <= frame_.y.to + 4;
+        return obstacles_.covered_by(box) + (inside ? 0 : 1000);
+    }
+
+    [[nodiscard]] bool put_first_free(const std::vector<Point>& places, const Curve& curve) {
+        const TextBlock block{curve.name};
+        const auto free = std::ranges::find_if(places, [&](Point left) { return cost(block.at(left)) == 0; });
+        if (free == places.end()) return false;
+        put(block, *free, curve.ink);
+        return true;
+    }
+
+    /// Looked at every other unit of its length.
+    [[nodiscard]] bool crosses(const std::vector<Point>& leader) const {
+        const Point  along = leader.back() - leader.front();
+        const double steps = glm::length(along) / 2;
+        for (double i = 0; i <= steps; ++i) {
+            const Point p = leader.front() + i / steps * along;
+            if (obstacles_.covered_by({p - 1.0, p + 1.0}) > 0) return true;
+        }
+        return false;
+    }
+
+    void put(const TextBlock& block, Point left, Ink ink) {
+        labels.push_back(block.placed(left, ink));
+        obstacles_.boxes.push_back(block.at(left));
     }
 
     const Frame& frame_;
     Obstacles    obstacles_;
 };
+
+/// A curve that ends near the right edge has its label in the margin, which is as wide as that needs, and so has one
+/// beside which there is no room.
+void place_labels(Frame& frame, const ChartData& chart, const std::vector<Curve>& curves) {
+    std::vector<const Curve*> in_margin;
+    std::vector<const Curve*> inside;
+    frame.x.to = Canvas::width;
+    for (const Curve& curve : curves) {
+        const bool at_edge = frame.x(end_of(curve).x) > frame.x.from + 0.85 * (frame.x.to - frame.x.from);
+        (at_edge ? in_margin : inside).push_back(&curve);
+    }
+    for (;;) {
+        double widest = 0;
+        for (const Curve* curve : in_margin) widest = std::max(widest, TextBlock{curve->name}.width);
+        frame.x.to = Canvas::width - (widest > 0 ? widest + 1.5 * label_gap : 24);
+        Labeller labeller{frame, curves};
+        labeller.in_margin(in_margin);
+        for (const MarkedX& mark : chart.marked) labeller.at_mark(mark);
+        std::vector<const Curve*> waiting = inside;  // for those that take the best places first
+        for (const auto place : {&Labeller::right_of_end, &Labeller::beside, &Labeller::around_end})
+            std::erase_if(waiting, [&](const Curve* curve) { return (labeller.*place)(*curve); });
+        frame.labels = labeller.labels;
+        if (waiting.empty()) return;
+        in_margin.push_back(waiting.front());
+        std::erase(inside, waiting.front());
+    }
+}
 
 }  // namespace
 
@@ -276,7 +357,9 @@ Curves curves_of(const ChartData& chart, const Rows& grouped) {
         const bool  gap = !row[y].is_number();
         const bool  shown =
             !gap && (p.x > 0 || !is_log(chart, axis::x)) && (p.y >= 0 || !is_log(chart, axis::y));
-        if (shown) all.back().points.push_back(p);
+        if (!shown) continue;
+        all.back().points.push_back(p);
+        if (const auto bar = bar_of(chart, row)) all.back().bars.push_back(*bar);
     }
     if (all.empty()) throw std::invalid_argument(fmt::format("chart {}: it has no rows", chart.name));
     check_strokes(chart, all);
@@ -314,25 +397,10 @@ Frame lay_out(const ChartData& chart, const Curves& all) {
     frame.y = scale_of(y_extent(chart, curves), is_log(chart, axis::y));
     if (frame.y.log && has_zero(curves)) frame.y = with_zero(frame.y);
 
-    // a curve that ends near the right edge has its label in the margin, which is as wide as that needs
-    std::vector<const Curve*> at_edge;
-    std::vector<const Curve*> inside;
-    double                    widest = 0;
-    for (const Curve& curve : curves) {
-        const bool edge = frame.x(end_of(curve).x) > 0.85;
-        (edge ? at_edge : inside).push_back(&curve);
-        if (edge) widest = std::max(widest, TextBlock{curve.name}.width);
-    }
     frame.x.from = 88;
-    frame.x.to   = Canvas::width - (widest > 0 ? widest + 1.5 * label_gap : 24);
     frame.y.from = below_plot + caption;
     frame.y.to   = frame.canvas.height - title - 22;
-
-    Labeller labeller{frame, curves};
-    labeller.in_margin(at_edge);
-    for (const MarkedX& mark : chart.marked) labeller.at_mark(mark);
-    for (const Curve* curve : inside) labeller.at_curve(*curve);
-    frame.labels = labeller.labels;
+    place_labels(frame, chart, curves);
     return frame;
 }
 

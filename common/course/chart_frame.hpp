@@ -13,6 +13,13 @@
 
 namespace sr::course {
 
+/// What is drawn at a point beside it: from `low` to `high`.
+struct Bar {
+    double x;
+    double low;
+    double high;
+};
+
 /// One curve: consecutive rows of the CSV.
 struct Curve {
     std::string        name;
@@ -20,6 +27,7 @@ struct Curve {
     std::size_t        first_row;
     std::size_t        last_row;
     Stroke             stroke;
+    std::vector<Bar>   bars   = {};
     std::vector<Point> points = {};  ///< what its axes can show: no gap, nothing negative where logarithmic
 };
 

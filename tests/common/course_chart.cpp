@@ -56,6 +56,27 @@ Frame laid_out(const Chart& chart) {
     return lay_out(chart.data(), curves_of(chart.data(), grouped_by_series(chart.data())));
 }
 
+/// The labels of a chart, of which none leaves the canvas or covers another one, a curve or its bars.
+std::vector<PlacedLabel> readable_labels(const Chart& chart) {
+    const Frame frame = laid_out(chart);
+    Obstacles   drawn;
+    for (const Curve& curve : curves_of(chart.data(), grouped_by_series(chart.data())).shown) {
+        auto& line = drawn.curves.emplace_back();
+        for (const Point& p : curve.points) line.emplace_back(frame.x(p.x), frame.y(p.y));
+        for (const Bar& bar : curve.bars)
+            drawn.curves.push_back({{frame.x(bar.x), frame.y(std::max(bar.low, frame.y.min))},
+                                    {frame.x(bar.x), frame.y(bar.high)}});
+    }
+    for (std::size_t i = 0; i < frame.labels.size(); ++i) {
+        const Box box = box_of(frame.labels[i]);
+        CHECK(drawn.covered_by(box) == 0);
+        CHECK(box.min.x >= 0);
+        CHECK(box.max.x <= Canvas::width);
+        for (std::size_t j = 0; j < i; ++j) CHECK(!overlap(box, box_of(frame.labels[j])));
+    }
+    return frame.labels;
+}
+
 }  // namespace
 
 TEST_CASE("a chart keeps what it is given, under the headers it was given") {
@@ -96,22 +117,35 @@ TEST_CASE("a chart of estimates keeps their errors and draws them as bars") {
 }
 
 TEST_CASE("labels cover neither each other nor a curve, and stay on the canvas") {
-    const Chart  chart  = crowded();
-    const Curves curves = curves_of(chart.data(), grouped_by_series(chart.data()));
-    const Frame  frame  = laid_out(chart);
-    Obstacles    drawn;
-    for (const Curve& curve : curves.shown) {
-        auto& line = drawn.curves.emplace_back();
-        for (const Point& p : curve.points) line.emplace_back(frame.x(p.x), frame.y(p.y));
+    CHECK(readable_labels(crowded()).size() == 6);
+}
+
+TEST_CASE("a label that would cover another curve stands apart, with a leader to its own") {
+    Chart chart{"c", "t", {.x = "time [s]", .y = "error", .log = axis::xy, .columns = speed_accuracy()}};
+    for (int curve = 0; curve < 9; ++curve)  // one on the other, nearly
+        for (int i = 0; i < 17; ++i) {
+            const double x = std::pow(10, 0.25 * i), y = std::pow(1.05, curve) / x;
+            chart.row({"stratified, method " + std::to_string(curve), i, x, y, 0.1 * y});
+        }
+    chart.add("to the edge", 1, 1, {0, 0});
+    chart.add("to the edge", 1e6, 1e-2, {0, 0});
+    const auto labels = readable_labels(chart);
+    REQUIRE(labels.size() == 10);
+    CHECK(std::ranges::count_if(labels, [](const PlacedLabel& label) { return !label.leader.empty(); }) >= 1);
+    for (const PlacedLabel& label : labels) {
+        if (label.leader.empty()) continue;
+        for (const PlacedLabel& other : labels)
+            CHECK(Obstacles{.curves = {label.leader}}.covered_by(box_of(other)) == 0);
     }
-    REQUIRE(frame.labels.size() == 6);
-    for (std::size_t i = 0; i < frame.labels.size(); ++i) {
-        const Box box = box_of(frame.labels[i]);
-        CHECK(drawn.covered_by(box) == 0);
-        CHECK(box.min.x >= 0);
-        CHECK(box.max.x <= Canvas::width);
-        for (std::size_t j = 0; j < i; ++j) CHECK(!overlap(box, box_of(frame.labels[j])));
-    }
+}
+
+TEST_CASE("a label does not stand on a bar of the next curve") {
+    Chart chart{"c", "t", with_error({.x = "x", .y = "y"})};
+    chart.add("first", 1, 0, {0});
+    chart.add("first", 2, 1, {0});
+    chart.add("second", 2.4, 1, {1});
+    chart.add("third", 8, 1, {1});
+    CHECK(readable_labels(chart).size() == 3);
 }
 
 TEST_CASE("axes show all of the data and not much more") {
