@@ -32,7 +32,7 @@ void what_is_seen(course::Chapter& chapter) {
     auto diagram = chapter.diagram("tree", "The rays of one pixel");
     TreeDrawing(diagram).draw();
     diagram.caption(
-        "Red is reflected, green refracted. Paint ends a branch, and asks whether it sees the light.");
+        "Orange is reflected, green refracted. Paint ends a branch, and asks whether it sees the light.");
 
     const auto& options = chapter.options();
     if (options.scene) {
