@@ -32,7 +32,7 @@ struct ImageError {
 class Judge {
 public:
     Judge(SceneView view, int threads) : view_{std::move(view)}, threads_{threads} {
-        reference_ = shown({"reference", 0, {.depth = 64}});
+        reference_ = shown({"reference", 0, {.depth = 64}}, threads_);
         const Surfaces<float> surfaces(view_.scene);
         const auto            camera = convert<float>(view_.camera);
         sees_lamp_                   = Image<char>(camera.width, camera.height);
@@ -48,9 +48,9 @@ public:
         }
     }
 
-    [[nodiscard]] Image<Spectrum> shown(const Recipe& recipe, std::uint64_t seed = 1) const {
+    [[nodiscard]] Image<Spectrum> shown(const Recipe& recipe, int threads) const {
         const RecursiveTracer tracer(view_.scene, recipe.recursion);
-        return render(convert<float>(view_.camera), {.samples = 4, .seed = seed}, {.threads = threads_},
+        return render(convert<float>(view_.camera), {.samples = 4, .seed = 1}, {.threads = threads},
                       [&](const Ray<float>& ray, Rng& rng) {
                           Spectrum sum;
                           RayCount count;
@@ -61,7 +61,7 @@ public:
 
     /// sqrt(mean (I - R)^2) / mean R over the pixels that don't see the lamp, and all channels.
     [[nodiscard]] ImageError error(const Recipe& recipe) const {
-        const auto image = shown(recipe);
+        const auto image = shown(recipe, threads_);
         Running    squares, light;
         for (std::size_t i = 0; i < image.pixels().size(); ++i) {
             const Spectrum I = image.pixels()[i], R = reference_.pixels()[i];

@@ -26,23 +26,23 @@ inline const std::string drawn    = "one branch at random";
     return all;
 }
 
-/// Errors, times on one thread, and rays for each pixel of all recipes.
+/// Errors in percent, and times on one thread, of all recipes.
 inline void chart_quality(course::Chart chart, const SceneView& view, const course::Options& options) {
     const bool                draft = options.quality == course::Quality::draft;
-    const Judge               judge(view, options.threads), alone(view, 1);
+    const Judge               judge(view, options.threads);
     std::vector<course::Work> work;
     const auto                all = recipes();
-    for (const auto& recipe : all) work.push_back({recipe.name, [&] { (void)alone.shown(recipe); }});
+    for (const auto& recipe : all) work.push_back({recipe.name, [&] { (void)judge.shown(recipe, 1); }});
     const auto timings = course::measure(work, draft ? 1 : 7);
     for (std::size_t i = 0; i < all.size(); ++i) {
         const auto [error, se] = judge.error(all[i]);
-        chart.row({all[i].name, all[i].effort, timings[i].seconds, error, se});
+        chart.row({all[i].name, all[i].effort, timings[i].seconds, 100 * error, 100 * se});
     }
 }
 
 [[nodiscard]] inline course::Axes quality_axes() {
     course::Axes axes{
-        .x = "time for the picture, one thread [s]", .y = "relative RMSE", .log = course::axis::xy};
+        .x = "time for the picture, one thread [s]", .y = "relative RMSE [%]", .log = course::axis::xy};
     axes.columns       = course::speed_accuracy();
     axes.columns.x     = "seconds";
     axes.columns.y     = "error";
