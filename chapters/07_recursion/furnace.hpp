@@ -25,7 +25,7 @@ namespace sr {
 /// The light that is missing at each depth, for mirrors of three reflectances.
 inline void chart_furnace(course::Chart chart) {
     for (const double rho : {0.5, 0.8, 0.95}) {
-        for (int k = 1; k <= 64; ++k) {
+        for (int k = 1; k <= 100; ++k) {
             const double missing = 100 * (1 - (1 - rho) * in_furnace(rho, k));
             if (missing >= 1e-3) chart.add(fmt::format("$\\rho = {}$", rho), k, missing);
         }

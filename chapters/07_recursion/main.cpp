@@ -71,11 +71,17 @@ void cost_of_recursion(course::Chapter& chapter) {
 void how_deep(course::Chapter& chapter) {
     chapter.section("7.3 How deep?");
     const auto& options = chapter.options();
+    const auto  shown   = [&](int depth) {
+        return picture(box_with_balls(options.size / 2), {.depth = depth}, options,
+                          fmt::format("depth {}", depth));
+    };
+    const auto deep = shown(16);
     for (const int depth : {1, 2, 3, 4, 6}) {
+        const auto film = shown(depth);
         chapter.render(fmt::format("depth_{}", depth), fmt::format("Rays up to {} deep", depth),
-                       "What a ray would have to ask further is black.",
-                       picture(box_with_balls(options.size / 2), {.depth = depth}, options,
-                               fmt::format("depth {}", depth)));
+                       "What a ray would have to ask further is black.", film);
+        chapter.render(fmt::format("lacking_{}", depth), fmt::format("What depth {} lacks of 16", depth),
+                       "Ten times as bright.", lacking(film, deep));
     }
     auto chart =
         chapter.chart("furnace", "Inside a mirror that shines",

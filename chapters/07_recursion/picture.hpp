@@ -23,6 +23,14 @@ namespace sr {
                   });
 }
 
+/// What a picture lacks of another one that has all of it, ten times as bright.
+[[nodiscard]] inline Image<Spectrum> lacking(const Image<Spectrum>& picture, const Image<Spectrum>& all) {
+    Image<Spectrum> difference(all.width(), all.height());
+    for (int y = 0; y < all.height(); ++y)
+        for (int x = 0; x < all.width(); ++x) difference(x, y) = 10 * (all(x, y) - picture(x, y));
+    return difference;
+}
+
 /// The rays of an image with one through the middle of each pixel.
 [[nodiscard]] inline RayCount count_rays(const SceneView& view, const RecursionOptions& recursion,
                                          int threads) {

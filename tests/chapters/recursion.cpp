@@ -23,5 +23,5 @@ TEST_CASE("chapter 7: claims and text agree, figures have their data, renders do
     runs.check_chart("inside_glass", {"series", "radius of the ball"}, 2U * 11);
     for (const std::string drawing : {"tree", "water", "prism", "ball_lens", "hollow_mirror", "rainbow"})
         runs.check_chart(drawing, {"shape"}, 20);
-    runs.check_renders(6);
+    runs.check_renders(11);
 }
