@@ -170,10 +170,10 @@ void round_faces(course::Chapter& chapter) {
     chapter.section("7.7 Round faces");
     auto lens = chapter.diagram("ball_lens", "A ball of glass in sunlight");
     draw_ball_lens(lens, 1.5);
-    lens.caption("The dot is the focus of rays along the axis, red. Others cross before it.");
+    lens.caption("Rays near the axis, orange, cross it in the focus, others before.");
     auto mirror = chapter.diagram("hollow_mirror", "A hollow mirror in sunlight");
     draw_hollow_mirror(mirror);
-    mirror.caption("Black dot: the focus, half way from the centre, grey, to the mirror.");
+    mirror.caption("The focus is half way from the centre to the mirror, for rays near the axis, orange.");
     auto drop = chapter.diagram("rainbow", "A drop of water in sunlight");
     draw_rainbow(drop, 4.0 / 3, primary_bow(4.0 / 3).b);
     drop.caption("Most of the light comes back near the largest angle at which any does.");

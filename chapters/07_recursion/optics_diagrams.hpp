@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <vector>
 
 #include "course/chapter.hpp"
@@ -48,36 +49,63 @@ inline void draw_prism(course::Diagram diagram, const Prism& prism, double symme
     for (int i = 0; i <= 20; ++i) arc.push_back(exit + 1.6 * on_paper(heading(to + turned * i / 20)));
     diagram.line(arc, {Ink::vermilion});
     diagram.label(exit + 2.1 * on_paper(heading(to + turned / 2)),
-                  fmt::format("${:.1f}^\\circ$", degrees(turned)), course::Anchor::left, Ink::vermilion);
+                  fmt::format("$\\delta = {:.1f}^\\circ$", degrees(turned)), course::Anchor::left,
+                  Ink::vermilion);
     diagram.label({0, 0.62}, fmt::format("${:.0f}^\\circ$", degrees(prism.A)), course::Anchor::centre);
 }
 
-/// Light from a point under water: what leaves it, where it seems to come from, and what is reflected totally.
-inline void draw_water(course::Diagram diagram, double n) {
+/// A length below a drawing, from x to another, with its name; dashed lines lead down to both ends from y.
+inline void draw_length(course::Diagram diagram, Interval<double> x, double y, double below,
+                        const std::string& name) {
     using course::Ink;
-    const Vector3<double> lamp{0, -1, 0};
-    const Plane<double>   level{{0, 0, 0}, {0, 1, 0}};
-    const course::Pen     dashed{Ink::grey, course::Weight::medium, true};
-    diagram.polygon({{-2.65, 0}, {2.65, 0}, {2.65, -1.25}, {-2.65, -1.25}}, {Ink::sky, course::Weight::thin},
-                    0.18);
-    for (int i = -8; i <= 8; ++i) {
-        const double      angle = radians(8.0 * i);
+    for (const double end : {x.min, x.max})
+        diagram.line({end, y}, {end, below}, {Ink::grey, course::Weight::thin, true});
+    diagram.line({x.min, below}, {x.max, below});
+    diagram.label({(x.min + x.max) / 2, below - 0.13}, name, course::Anchor::centre);
+}
+
+/// The rays of a lamp under water at these angles: out of it, or reflected totally. Where they seem to come from is
+/// dashed.
+inline void draw_from_under_water(course::Diagram diagram, const Vector3<double>& lamp, double n,
+                                  const std::vector<double>& angles) {
+    using course::Ink;
+    const Plane<double> level{{0, 0, 0}, {0, 1, 0}};
+    for (const double angle : angles) {
         const Ray<double> ray{lamp, {std::sin(angle), std::cos(angle), 0}};
         const auto        point = surface_point(level, ray, intersect(level, ray).value_or(0));
         const auto        out   = refracted(ray, point, n);
         const course::Pen pen{out ? Ink::blue : Ink::vermilion};
         diagram.line(on_paper(lamp), on_paper(point.position), pen);
         const auto on = out ? *out : reflected(ray, point);
-        diagram.line(on_paper(point.position), on_paper(on.at(out ? 1.2 : 0.6)), pen);
-        if (out && i != 0)  // drawn on below, to where it passes over the point
+        diagram.arrow(on_paper(point.position), on_paper(on.at(out ? 1.2 : 0.6)), pen);
+        if (out && angle != 0)  // drawn on below, to where it passes over the point
             diagram.line(on_paper(point.position), on_paper(out->at(-out->origin.x / out->direction.x)),
-                         dashed);
+                         {Ink::grey, course::Weight::medium, true});
     }
-    const double edge = std::tan(critical_angle(n));
-    diagram.line({-edge, 0}, {edge, 0}, {Ink::green, course::Weight::thick});
+}
+
+/// Light from a point under water: what leaves it, drawn at the right, and what is reflected totally, at the left.
+inline void draw_water(course::Diagram diagram, double n) {
+    using course::Ink;
+    const Vector3<double> lamp{0, -1, 0};
+    diagram.polygon({{-2.65, 0}, {2.65, 0}, {2.65, -1.25}, {-2.65, -1.25}}, {Ink::sky, course::Weight::thin},
+                    0.18);
+    draw_from_under_water(diagram, lamp, n,
+                          {radians(-64), radians(-56), 0, radians(18), radians(33), radians(45)});
+    const double edge = critical_angle(n), half = std::tan(edge);
+    for (const double x : {-half, half}) diagram.line(on_paper(lamp), {x, 0}, {Ink::green});
+    diagram.line({-half, 0}, {half, 0}, {Ink::green, course::Weight::thick});
+    std::vector<course::Point> arc;
+    for (int i = -20; i <= 20; ++i)
+        arc.push_back(on_paper(lamp + 0.35 * heading(std::numbers::pi / 2 + edge * i / 20)));
+    diagram.line(arc, {Ink::green});
     diagram.point(on_paper(lamp));
-    diagram.label({-2.6, 1.05}, "Snell's window", course::Anchor::left, Ink::green);
-    diagram.label({2.55, -0.8}, "reflected totally", course::Anchor::right, Ink::vermilion);
+    diagram.label({-0.3, -0.5}, fmt::format("${:.1f}^\\circ$", 2 * degrees(edge)), course::Anchor::centre,
+                  Ink::green);
+    diagram.label({-0.1, 0.14}, "Snell's window", course::Anchor::right, Ink::green);
+    diagram.label({-2.5, 0.14}, "air");
+    diagram.label({2.55, -0.14}, "water", course::Anchor::right, Ink::sky);
+    diagram.label({-1.35, -1.1}, "reflected totally", course::Anchor::centre, Ink::vermilion);
 }
 
 /// How far a ray goes before it is off a paper that ends at x and at +-y.
@@ -99,7 +127,12 @@ inline void draw_ball_lens(course::Diagram diagram, double n) {
                   {std::abs(i) <= 4 ? Ink::vermilion : Ink::blue, course::Weight::thin});
     }
     const double f = n / (2 * (n - 1));
+    diagram.point({0, 0}, {Ink::grey});
     diagram.point({f, 0});
+    draw_length(diagram, {0, 1}, 0, -1.45, "$r$");
+    draw_length(diagram, {0, f}, 0, -1.85, "$f$");
+    diagram.label({-0.08, -1.85}, "centre", course::Anchor::right);
+    diagram.label({f + 0.08, -1.85}, "focus");
 }
 
 /// Parallel rays off a hollow mirror, seen from the side.
@@ -110,7 +143,7 @@ inline void draw_hollow_mirror(course::Diagram diagram) {
     for (int i = -19; i <= 19; ++i) {
         const double h    = i == 0 ? 1e-9 : 0.05 * i;
         const auto   back = off_hollow_mirror(h, 1).back();
-        diagram.line({-0.6, h}, on_paper(back.origin), {Ink::grey, course::Weight::thin});
+        if (i % 2 == 0) diagram.arrow({-1, h}, {-0.7, h}, {Ink::grey, course::Weight::thin});
         // to the mirror's other side, or to the left end of the paper
         double length = intersect(Sphere<double>{{0, 0, 0}, 1}, back).value_or(1);
         if (back.direction.x < 0) length = std::min(length, length_on_paper(back, -0.6, 1));
@@ -120,6 +153,10 @@ inline void draw_hollow_mirror(course::Diagram diagram) {
     diagram.line(arc, {Ink::black, course::Weight::thick});
     diagram.point({0.5, 0});
     diagram.point({0, 0}, {Ink::grey});
+    draw_length(diagram, {0, 0.5}, 0, -1.15, "$r/2$");
+    draw_length(diagram, {0, 1}, 0, -1.5, "$r$");
+    diagram.label({-0.05, -1.15}, "centre", course::Anchor::right);
+    diagram.label({0.55, -1.15}, "focus");
 }
 
 /// Sunlight through a drop of water, reflected once: most of it leaves near one direction.
