@@ -194,6 +194,12 @@ void round_faces(course::Chapter& chapter) {
 /// 7.8  What do many bounces do to numbers?
 void after_many_bounces(course::Chapter& chapter) {
     chapter.section("7.8 After many bounces");
+    auto at_border = chapter.chart(
+        "border", "Total reflection or not, in float",
+        course::with_error(
+            {.x = "distance from the border [rad]", .y = "wrong answers [%]", .log = course::axis::x}));
+    chart_border(at_border);
+    at_border.caption("Every other angle is beyond the border. A float can't tell the nearest from it.");
     auto drifted =
         chapter.chart("drift", "Reflected again and again, in float",
                       {.x = "bounces", .y = "$\\left||\\mathbf{d}| - 1\\right|$", .log = course::axis::xy});
@@ -208,9 +214,12 @@ void after_many_bounces(course::Chapter& chapter) {
     const auto claim = [&](const std::string& what, double expected, double measured, double tolerance) {
         chapter.claim("7.8 " + what, {expected, measured, tolerance});
     };
-    const auto border = count_at_border(100'000);
-    claim("at the border, angles whose cosine is NaN at school [%]", 50, border.school_is_nan / 1000.0, 1);
-    claim("at the border, angles at which the core errs", 0, border.core_is_wrong, 0);
+    claim("border, 0.0001 rad: angles whose cosine is NaN in textbooks [%]", 50,
+          at_border.at("textbook: the root is NaN", 1e-4), 0.5);
+    double wrong = 0;
+    for (const double distance : border_distances)
+        if (distance >= 1e-7) wrong = max_or_nan(wrong, at_border.at("core: asked first", distance));
+    claim("border, 1e-7 rad and more: angles at which the core errs [%]", 0, wrong, 0);
     claim("drift in a sphere, 100 000 bounces [%]", 1.5, 100 * drifted.at("school's, in a sphere", 1e5), 0.2);
     chapter.claim_at_most("7.8 drift if normalised, 100 000 bounces",
                           drifted.at("normalised, in a sphere", 1e5), 2e-7);

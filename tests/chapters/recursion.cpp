@@ -20,6 +20,7 @@ TEST_CASE("chapter 7: claims and text agree, figures have their data, renders do
     runs.check_chart("aberration", {"series"}, 40);
     runs.check_chart("rainbow_angles", {"series"}, 60);
     runs.check_chart("drift", {"series", "bounces"}, 3U * 6);
+    runs.check_chart("border", {"series", "distance from the border [rad]"}, 2U * 11);
     runs.check_chart("inside_glass", {"series", "radius of the ball"}, 2U * 11);
     for (const std::string drawing : {"tree", "water", "prism", "ball_lens", "hollow_mirror", "rainbow"})
         runs.check_chart(drawing, {"shape"}, 20);
