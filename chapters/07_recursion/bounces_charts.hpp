@@ -11,6 +11,7 @@
 #include "drift.hpp"
 #include "inside_glass.hpp"
 #include "math/extremes.hpp"
+#include "statistics/estimate.hpp"
 
 namespace sr {
 
@@ -32,29 +33,16 @@ inline void chart_drift(course::Chart chart) {
         [&](std::uint64_t seed) { return drift_in_sphere(seed, after, turn_renormalised); });
 }
 
-/// The rays for each radius, and radii of the balls.
+/// The rays for each radius, and radii of the balls [length units].
 inline constexpr int             rays_inside = 20'000;
 inline const std::vector<double> ball_radii{1e-5, 1e-4, 1e-3, 1e-2, 1e-1, 1, 1e1, 1e2, 1e3, 1e4, 1e5};
 
-[[nodiscard]] inline course::Axes inside_axes() {
-    const std::string x = "radius of the ball", y = "rays that go astray in 20 bounces [%]";
-    return {.x       = x,
-            .y       = y,
-            .log     = course::axis::x,
-            .columns = {.headers = {"series", x, y, "standard error"},
-                        .series  = "series",
-                        .x       = x,
-                        .y       = y,
-                        .error   = "standard error"}};
-}
-
+/// The share of rays that go astray, with its standard error.
 inline void chart_inside(course::Chart chart, int threads) {
     const auto add = [&](const std::string& name, const auto& depart) {
         for (const double radius : ball_radii) {
-            const int    count = astray(float(radius), rays_inside, threads, depart);
-            const double share = (count + 1) / (rays_inside + 2.0);  // Laplace's: 0 of n is not never
-            chart.add(name, radius, 100.0 * count / rays_inside,
-                      {100 * std::sqrt(share * (1 - share) / rays_inside)});
+            const int lost = count_inside(float(radius), rays_inside, threads, depart).astray;
+            chart.add(name, radius, percent(share(lost, rays_inside)));
         }
     };
     add("fixed epsilon, $10^{-4}$", leave_by_fixed_epsilon);

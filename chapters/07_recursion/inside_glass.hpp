@@ -3,6 +3,7 @@
 /// Section 7.8: light that is reflected again and again inside a glass ball, small or large.
 
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include "geometry/offset.hpp"
@@ -26,36 +27,46 @@ struct Departure {
     return {leave(p, d)};
 }
 
-/// Whether light makes so many bounces inside a ball, from one side to the other: not if the ball is not found
-/// again, nor if it is found where the ray starts, before half of its chord.
+/// By how much light's chord of a ball grows in so many bounces from one side to the other, relative to the first:
+/// exactly, by 0. None if it goes astray: the ball is not found again, or is found where the ray starts, before half of
+/// the chord.
 template <class Depart>
-[[nodiscard]] bool stays_inside(float radius, int bounces, Rng& rng, const Depart& depart) {
+[[nodiscard]] std::optional<float> growth_inside(float radius, int bounces, Rng& rng, const Depart& depart) {
     const Sphere<float> ball{radius * Vec3{7, 5, 3}, radius};
-    const Vec3          n    = normalize(in_unit_ball<float>(rng));
-    const Vec3          any  = normalize(in_unit_ball<float>(rng));
-    SurfacePoint<float> here = surface_point(ball, {ball.centre, n}, radius);
-    Vec3                d    = dot(any, n) < 0 ? any : -any;
+    const Vec3          n     = normalize(in_unit_ball<float>(rng));
+    const Vec3          any   = normalize(in_unit_ball<float>(rng));
+    SurfacePoint<float> here  = surface_point(ball, {ball.centre, n}, radius);
+    Vec3                d     = dot(any, n) < 0 ? any : -any;
+    const float         first = -dot(d, here.normal);  // a chord is 2 r cos
     for (int i = 0; i < bounces; ++i) {
         const Departure next = depart(here, d);
         const auto      t    = intersect(ball, next.ray, next.range);
-        if (!t || !(*t >= -radius * dot(d, here.normal))) return false;  // the chord is 2 r cos
+        if (!t || !(*t >= -radius * dot(d, here.normal))) return std::nullopt;
         here = surface_point(ball, next.ray, *t);
         d    = normalize(d - 2 * dot(d, here.normal) * here.normal);
     }
-    return true;
+    return -dot(d, here.normal) / first - 1;
 }
 
-/// The number of rays, of so many, that go astray within 20 bounces.
+/// Of so many rays: those that go astray within 20 bounces, and those whose chord changes by more than 1 %.
+struct InsideCount {
+    int astray  = 0;
+    int drifted = 0;
+};
+
 template <class Depart>
-[[nodiscard]] int astray(float radius, int rays, int threads, const Depart& depart) {
-    std::vector<char> lost(std::size_t(rays), 0);
+[[nodiscard]] InsideCount count_inside(float radius, int rays, int threads, const Depart& depart) {
+    std::vector<std::optional<float>> growth(std::size_t(rays), 0.0F);
     for_each_pixel(rays, 1, {.threads = threads}, [&](int i, int) {
         Rng rng{8, i, 0, 0};
-        lost[std::size_t(i)] = stays_inside(radius, 20, rng, depart) ? 0 : 1;
+        growth[std::size_t(i)] = growth_inside(radius, 20, rng, depart);
     });
-    int sum = 0;
-    for (const char one : lost) sum += one;
-    return sum;
+    InsideCount count;
+    for (const auto& one : growth) {
+        count.astray += one ? 0 : 1;
+        count.drifted += one && !(std::abs(*one) <= 0.01F) ? 1 : 0;
+    }
+    return count;
 }
 
 }  // namespace sr

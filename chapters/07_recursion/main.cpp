@@ -13,6 +13,7 @@
 #include "boxes.hpp"
 #include "course/chapter.hpp"
 #include "furnace.hpp"
+#include "glass_pictures.hpp"
 #include "math/degrees.hpp"
 #include "math/extremes.hpp"
 #include "optics_charts.hpp"
@@ -191,6 +192,29 @@ void round_faces(course::Chapter& chapter) {
     claim_round_faces(chapter);
 }
 
+/// 7.8  How many rays inside a ball do other things than they should?
+void rays_inside_a_ball(course::Chapter& chapter) {
+    const auto& options = chapter.options();
+    auto        chart   = chapter.chart("inside_glass", "Light that stays in a ball of glass, in float",
+                                        course::with_error({.x   = "radius of the ball [length units]",
+                                                            .y   = "rays that go astray in 20 bounces [%]",
+                                                            .log = course::axis::x}));
+    chart_inside(chart, options.threads);
+    chart.caption("Small balls are stepped over, large ones are met where the ray starts.");
+    const auto claim = [&](const std::string& what, double expected, double measured, double tolerance) {
+        chapter.claim("7.8 " + what, {expected, measured, tolerance});
+    };
+    double worst = 0;
+    for (const double radius : ball_radii) worst = max_or_nan(worst, chart.at("error bound", radius));
+    claim("error bound: rays that go astray, at the worst of the radii [%]", 0, worst, 0);
+    for (const auto& [radius, astray] : {std::pair{1e-4, 50}, {1e2, 24}, {1e3, 100}})
+        claim(fmt::format("fixed epsilon: rays that go astray at a radius of {} [%]", radius), astray,
+              chart.at("fixed epsilon, $10^{-4}$", radius), 2);
+    const auto drifted = count_inside(1, rays_inside, options.threads, leave_by_error_bound).drifted;
+    claim("error bound: rays whose chord drifts by 1 % in 20 bounces [%]", 24,
+          percent(share(drifted, rays_inside)).value, 0.5);
+}
+
 /// 7.8  What do many bounces do to numbers?
 void after_many_bounces(course::Chapter& chapter) {
     chapter.section("7.8 After many bounces");
@@ -206,10 +230,6 @@ void after_many_bounces(course::Chapter& chapter) {
     chart_drift(drifted);
     drifted.caption(
         "The largest of twelve rays. Errors that are alike add up; those at random partly cancel.");
-    auto inside =
-        chapter.chart("inside_glass", "Light that stays in a ball of glass, in float", inside_axes());
-    chart_inside(inside, chapter.options().threads);
-    inside.caption("Small balls are stepped over, large ones are met where the ray starts.");
 
     const auto claim = [&](const std::string& what, double expected, double measured, double tolerance) {
         chapter.claim("7.8 " + what, {expected, measured, tolerance});
@@ -223,13 +243,8 @@ void after_many_bounces(course::Chapter& chapter) {
     claim("drift in a sphere, 100 000 bounces [%]", 1.5, 100 * drifted.at("school's, in a sphere", 1e5), 0.2);
     chapter.claim_at_most("7.8 drift if normalised, 100 000 bounces",
                           drifted.at("normalised, in a sphere", 1e5), 2e-7);
-    const std::string fixed = "fixed epsilon, $10^{-4}$";
-    double            worst = 0;
-    for (const double radius : ball_radii) worst = max_or_nan(worst, inside.at("error bound", radius));
-    claim("error bound: rays that go astray, at the worst of the radii [%]", 0, worst, 0);
-    for (const auto& [radius, percent] : {std::pair{1e-4, 50}, {1e2, 24}, {1e3, 100}})
-        claim(fmt::format("fixed epsilon: rays that go astray at a radius of {} [%]", radius), percent,
-              inside.at(fixed, radius), 2);
+    rays_inside_a_ball(chapter);
+    show_glass_balls(chapter);
 }
 
 }  // namespace
