@@ -45,7 +45,7 @@ inline void draw_inverse_square(course::Diagram diagram) {
     }
 }
 
-/// Figure 5.15: a surface gathers light from its lamp; a sensor element looks through a hole at what it sees.
+/// Figure 5.16: a surface gathers light from its lamp; a sensor element looks through a hole at what it sees.
 inline void draw_sensor(course::Diagram diagram) {
     // left: two surfaces before a lamp
     const Point lamp{0, 0};
@@ -54,6 +54,7 @@ inline void draw_sensor(course::Diagram diagram) {
         draw_surface(diagram, {distance, 0}, 0.8, 90, ink);
     }
     diagram.polygon(arc(lamp, 0.3), {Ink::vermilion}, 0.8);
+    diagram.label({0, -0.8}, "lamp", Anchor::centre, Ink::vermilion);
     diagram.label({2.6, -1.75}, "$E$", Anchor::centre, Ink::blue);
     diagram.label({5.2, -1.75}, "$E/4$", Anchor::centre, Ink::green);
     diagram.label({2.6, -2.6}, "a surface: irradiance", Anchor::centre);

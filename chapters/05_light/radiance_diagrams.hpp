@@ -29,8 +29,8 @@ inline void draw_radiance_cone(course::Diagram diagram) {
     diagram.label(length * towards(omega) + Point{0, 0.8}, "$\\omega$, within $d\\omega$", Anchor::centre,
                   Ink::vermilion);
     diagram.label({-half - 0.2, 0.05}, "$dA$", Anchor::right, Ink::blue);
-    diagram.label({6.6, 1.9}, "$L = d^2\\Phi / (dA \\cos\\theta\\, d\\omega)$");
-    diagram.label({6.6, 0.9}, "$dA \\cos\\theta$: what $\\omega$ sees of $dA$", Anchor::left, Ink::green);
+    diagram.label({6.6, 1.9}, "$L = d^2\\Phi / (dA\\, \\cos\\theta\\, d\\omega)$");
+    diagram.label({6.6, 0.9}, "$dA\\, \\cos\\theta$: what $\\omega$ sees of $dA$", Anchor::left, Ink::green);
 }
 
 /// Figure 5.9: the same light on two areas, one facing it and one turned.
@@ -42,13 +42,17 @@ inline void draw_oriented_surfaces(course::Diagram diagram) {
         diagram.polygon(
             {{offset + left, 4.2}, {offset + right, 4.2}, {offset + right, rise}, {offset + left, -rise}},
             {Ink::vermilion, Weight::thin}, 0.13);
-        for (const double x : {-0.9, -0.45, 0.45, 0.9}) {
+        for (const double x : {-1.0, 0.5, 1.0}) {
             const double y = x * std::tan(radians(tilt));
             diagram.arrow({offset + x, 4.0}, {offset + x, y + 0.1}, {Ink::vermilion, Weight::medium});
         }
         draw_surface(diagram, {offset, 0}, longer, tilt, Ink::blue);
         diagram.arrow({offset, 0}, Point{offset, 0} + 2.4 * towards(90 + tilt), {Ink::blue});
-        if (tilt > 0) draw_angle(diagram, {offset, 0}, 1.6, 90, 90 + tilt, "$\\theta$", 1.25);
+        diagram.label(Point{offset, 0} + 2.75 * towards(90 + tilt), "$\\mathbf{n}$", Anchor::centre,
+                      Ink::blue);
+        if (tilt == 0) continue;
+        diagram.line({offset, 0}, {offset, 2.4}, {Ink::black, Weight::thin, true});
+        draw_angle(diagram, {offset, 0}, 1.6, 90, 90 + tilt, "$\\theta$", 0.7);
     }
     diagram.label({-1.6, -0.1}, "$dA_1$", Anchor::right, Ink::blue);
     diagram.label({9 - 1.7, -1.25}, "$dA_2 = dA_1 / \\cos\\theta$", Anchor::right, Ink::blue);
@@ -77,10 +81,10 @@ inline void draw_two_patches(course::Diagram diagram) {
     diagram.label(x1 - edge1 + Point{-0.3, 0.25}, "$dA_1$", Anchor::right, Ink::blue);
     diagram.label(x2 + edge2 + Point{0.3, 0.1}, "$dA_2$", Anchor::left, Ink::green);
     diagram.label({5.3, 0.6}, "$r$", Anchor::centre);
-    diagram.label({3.2, -1.9}, "$d\\omega_1 = dA_2 \\cos\\theta_2 / r^2$", Anchor::left, Ink::blue);
-    diagram.label({3.2, -2.8}, "$d\\omega_2 = dA_1 \\cos\\theta_1 / r^2$", Anchor::left, Ink::green);
+    diagram.label({3.2, -1.9}, "$d\\omega_1 = dA_2\\, \\cos\\theta_2 / r^2$", Anchor::left, Ink::blue);
+    diagram.label({3.2, -2.8}, "$d\\omega_2 = dA_1\\, \\cos\\theta_1 / r^2$", Anchor::left, Ink::green);
     diagram.label({4.9, 4.0},
-                  "$L\\, dA_1 \\cos\\theta_1\\, d\\omega_1 = L\\, dA_2 \\cos\\theta_2\\, d\\omega_2$",
+                  "$L\\, dA_1\\, \\cos\\theta_1\\, d\\omega_1 = L\\, dA_2\\, \\cos\\theta_2\\, d\\omega_2$",
                   Anchor::centre);
 }
 

@@ -45,7 +45,7 @@ inline void draw_solid_angle(course::Diagram diagram) {
     diagram.label({6.6, 0.6}, "half of them: $2\\pi$");
 }
 
-/// Figure 5.3: a small area, turned away by theta.
+/// Figure 5.3: a small area, turned away by an angle.
 inline void draw_small_area(course::Diagram diagram) {
     const Point      c{0, 0}, x{8, 1.2};
     const double     sight = degrees(std::atan2(x.y, x.x));
@@ -58,7 +58,7 @@ inline void draw_small_area(course::Diagram diagram) {
     draw_surface(diagram, x, half, along, Ink::blue);
     diagram.line(c, x, {Ink::black, Weight::thin, true});
     diagram.arrow(x, x + 2.2 * towards(along + 90), {Ink::blue});
-    draw_angle(diagram, x, 1.35, along + 90, sight + 180, "$\\theta$");
+    draw_angle(diagram, x, 1.35, along + 90, sight + 180, "$\\theta'$");
     diagram.line(arc(c, 2.4, sight - 8.2, sight + 7.3), {Ink::vermilion, Weight::thick});
     diagram.point(c);
     diagram.label(c + Point{-0.25, 0}, "$\\mathbf{c}$", Anchor::right);
@@ -66,8 +66,8 @@ inline void draw_small_area(course::Diagram diagram) {
     diagram.label({4.6, 0.42}, "$r$", Anchor::centre);
     diagram.label(x + edge + Point{0.25, 0.1}, "$dA$", Anchor::left, Ink::blue);
     diagram.label(x + 2.45 * towards(along + 90), "$\\mathbf{n}$", Anchor::centre, Ink::blue);
-    diagram.label(x - seen + Point{0.9, -0.45}, "$dA \\cos\\theta$", Anchor::centre, Ink::green);
-    diagram.label({0, 2.6}, "$d\\omega = dA \\cos\\theta / r^2$");
+    diagram.label(x - seen + Point{0.9, -0.45}, "$dA\\, \\cos\\theta'$", Anchor::centre, Ink::green);
+    diagram.label({0, 2.6}, "$d\\omega = dA\\, \\cos\\theta' / r^2$");
 }
 
 /// Figure 5.6: three points of a surface, one of which is seen.
@@ -80,7 +80,7 @@ inline void draw_visibility(course::Diagram diagram) {
     const Point x2 = Point{10, 0} + Point{-1.6 * towards(50).x, -2.6 * towards(50).y};
     const Point x3{11.6, 0};
     diagram.line(c, x1, {Ink::green, Weight::thick});
-    const Point stop = 0.455 * x2;
+    const Point stop = 0.497 * x2;
     diagram.line(c, stop, {Ink::vermilion, Weight::thick});
     diagram.line(stop, x2, {Ink::vermilion, Weight::thin, true});
     diagram.line(c, {8.4, 0}, {Ink::vermilion, Weight::thick});
