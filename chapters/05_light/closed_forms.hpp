@@ -47,21 +47,26 @@ inline void claim_lamps(course::Chapter& chapter) {
           overcast_sky_irradiance(L, radians(90)) / overcast_sky_irradiance(L, 0.0), 5e-4);
 }
 
-/// Figure 5.16: a lamp that sets.
+/// Figure 5.17: a lamp that sets.
 inline void chart_setting_lamp(course::Chapter& chapter) {
-    auto chart = chapter.chart(
-        "setting_lamp", "A spherical lamp of 30 degrees sets",
-        axes_with_error("angle between the normal and the lamp's centre [deg]", "irradiance [W/m$^2$]"));
+    auto chart =
+        chapter.chart("setting_lamp", "A spherical lamp of angular radius 30 degrees sets",
+                      course::with_error({.x = "angle between the normal and the lamp's centre [deg]",
+                                          .y = "irradiance [W/m$^2$]"}));
     const SettingLamp lamp;
     for (int beta = 0; beta <= 125; beta += 5) {
-        add(chart, "(5.16), (5.17)", beta, lamp.irradiance(radians(beta)));
-        add(chart, "as a point light", beta, lamp.as_a_point(radians(beta)));
+        chart.add("(5.16), (5.17)", beta, Estimate{lamp.irradiance(radians(beta))});
+        chart.add("as a point light", beta, Estimate{lamp.as_a_point(radians(beta))});
     }
     for (double beta = 2.5; beta <= 120; beta += 5) {
         const auto rays = lamp.by_rays(radians(beta), {chapter.options().threads, 1 << 6, int(beta)});
-        add(chart, "by 4096 rays", beta, rays.mean(), rays.standard_error());
+        chart.add("by 4096 rays", beta, estimate(rays));
     }
-    chart.mark_x(60, "it touches the horizon");
+    chart.as_line("(5.16), (5.17)");
+    chart.as_line("as a point light");
+    chart.as_points("by 4096 rays");
+    chart.mark_x(60, "60: it begins");
+    chart.mark_x(90, "90: half set");
     chart.caption(
         "Above the horizon, a sphere is a point light, exactly. At 90 degrees, half of it still shines.");
     chapter.claim("5.7 half set: irradiance [W/m^2]",
@@ -71,16 +76,18 @@ inline void chart_setting_lamp(course::Chapter& chapter) {
                   {.expected = 0.0906, .measured = rays.mean(), .tolerance = 0.0006});
 }
 
-/// Figure 5.17: facets under two skies.
+/// Figure 5.18: facets under two skies.
 inline void chart_skies(course::Chapter& chapter) {
-    auto                   chart = chapter.chart("skies", "A facet under the sky, black ground",
-                                                 {.x = "tilt of the facet [deg]", .y = "irradiance relative to a level facet"});
     const Radiance<double> L{1};
+    auto                   chart =
+        chapter.chart("skies", "A facet under the sky, black ground",
+                      {.x = "tilt of the facet [deg]", .y = "irradiance, relative to a level facet"});
     for (int tilt = 0; tilt <= 180; tilt += 6) {
         const double a = radians(tilt);
         chart.add("uniform", tilt, uniform_sky_irradiance(L, a) / uniform_sky_irradiance(L, 0.0));
         chart.add("overcast", tilt, overcast_sky_irradiance(L, a) / overcast_sky_irradiance(L, 0.0));
     }
+    chart.mark_x(90, "90: upright");
     chart.caption("The overcast sky is three times as bright at the zenith as at the horizon.");
 }
 

@@ -82,21 +82,28 @@ template <class Lamp>
     return {rms, rms > 0 ? squares.standard_error() / (2 * rms) : 0};
 }
 
-/// The errors of all methods for 2^2 to 64^2 nodes, timed on one thread, on a chart of error against time; and the
-/// slopes of the errors against the number of nodes from 16^2 on.
+/// What happens with one lamp: the errors of all methods for 2^2 to 64^2 nodes, timed on one thread, on a chart of
+/// error against time; and the slopes of the errors against the number of nodes from 16^2 on.
 class LampRace {
 public:
-    LampRace(course::Chart chart, int repeats) : chart_(std::move(chart)), repeats_(repeats) {}
+    LampRace(course::Chart chart, std::string lamp, int repeats)
+        : chart_(std::move(chart)), lamp_(std::move(lamp)), repeats_(repeats) {}
+
+    [[nodiscard]] const std::string& lamp() const { return lamp_; }
 
     template <class Lamp>
     void run(const std::vector<Lamp>& lamps) {
         std::vector<course::Work> works;
         std::vector<LampError>    errors(lamp_methods.size() * sides.size());
+        int                       all = 0;  // points for one receiver
+        for (const int side : sides) all += int(lamp_methods.size()) * side * side * repeats_;
+        course::Progress progress("adding up the " + lamp_, all);
         for (std::size_t m = 0; m < lamp_methods.size(); ++m) {
             for (std::size_t s = 0; s < sides.size(); ++s) {
                 works.push_back({lamp_methods[m].name, [&, m, s] {
                                      errors[m * sides.size() + s] =
                                          lamp_error(lamp_methods[m], sides[s], lamps);
+                                     progress.tick(sides[s] * sides[s]);
                                  }});
             }
         }
@@ -127,6 +134,7 @@ private:
     static constexpr std::array sides{2, 3, 4, 6, 8, 11, 16, 23, 32, 45, 64};
 
     course::Chart          chart_;
+    std::string            lamp_;
     int                    repeats_;
     std::vector<LampError> errors_;
 };

@@ -1,7 +1,7 @@
 #pragma once
 /// @file lamps.hpp
-/// The two lamps of section 5.8, of radiance 1, and one estimate each of the irradiance that they give, from a point of the
-/// unit square. The receiver lies in the origin with normal +z.
+/// The two lamps of section 5.8, of radiance 1, and one estimate each of the irradiance that they give, from a point of
+/// the unit square. The receiver lies in the origin with normal +z.
 
 #include <array>
 #include <cmath>
@@ -50,8 +50,8 @@ private:
 /// A square of side 2 at the height 2, and halfway below its middle a disk of radius 0.3 that hides a part of it.
 class OccludedSquare {
 public:
-    /// @param receiver  where it is, seen from below the middle; at most 0.4 away, so that all of the disk is before the
-    ///                  lamp
+    /// @param receiver  where it is, seen from below the middle; at most 0.4 away, so that all of the disk is before
+    ///                  the lamp
     explicit OccludedSquare(Vector2<double> receiver)
         : middle_{-receiver}, seen_{middle_ - 1.0, middle_ + 1.0, 2} {}
 

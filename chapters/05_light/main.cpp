@@ -56,6 +56,7 @@ void solid_angles(course::Chapter& chapter) {
 void small_solid_angles(course::Chapter& chapter) {
     chapter.section("5.3 Small lamps");
     chart_rounding(chapter);
+    claim_solid_angles(chapter);
     claim_cone(chapter);
 }
 
@@ -66,17 +67,19 @@ void visibility(course::Chapter& chapter) {
     draw_visibility(diagram);
     diagram.caption("A point may be hidden by something else, or by the rest of its own surface.");
 
-    auto chart =
-        chapter.chart("eclipse", "A lamp of 30 degrees behind a ball of 20 degrees",
-                      axes_with_error("angle between the centres [deg]", "visible solid angle [sr]"));
+    auto chart = chapter.chart(
+        "eclipse", "A lamp of angular radius 30 degrees, a ball of 20",
+        course::with_error({.x = "angle between the centres [deg]", .y = "visible solid angle [sr]"}));
     const Eclipse eclipse;
     const int     threads = chapter.options().threads;
     for (int apart = 0; apart <= 60; apart += 2)
-        add(chart, "closed form", apart, eclipse.visible(radians(apart)));
+        chart.add("closed form", apart, Estimate{eclipse.visible(radians(apart))});
     for (int apart = 1; apart <= 60; apart += 2) {
         const auto rays = eclipse.visible_by_rays(radians(apart), {threads, 1 << 10, apart});
-        add(chart, "by rays", apart, rays.mean(), rays.standard_error());
+        chart.add("by rays", apart, estimate(rays));
     }
+    chart.as_line("closed form");
+    chart.as_points("by rays");
     chart.caption(
         "Rays into the lamp's cone, 65 536 for a point, each asked whether the ball is in its way.");
 
@@ -114,8 +117,10 @@ void conservation(course::Chapter& chapter) {
     auto square_law = chapter.diagram("inverse_square", "The inverse square law");
     draw_inverse_square(square_law);
     square_law.caption("The flux in the cone stays the same; the area that it falls on grows.");
+    render_globes(chapter);
     chart_receding_sphere(chapter);
-    claim_nested_spheres(chapter);
+    claim_far_spheres(chapter);
+    chart_nested_spheres(chapter);
 
     auto sensor = chapter.diagram("sensor", "Irradiance and radiance");
     draw_sensor(sensor);
@@ -127,7 +132,8 @@ void conservation(course::Chapter& chapter) {
 
 int main(int argc, char** argv) {
     using namespace sr;
-    return course::run(argc, argv, "05_light", "Light", [](course::Chapter& chapter) {
+    const course::Defaults defaults{.takes_seed = false};
+    return course::run(argc, argv, "05_light", "Light", defaults, [](course::Chapter& chapter) {
         flux(chapter);
         solid_angles(chapter);
         small_solid_angles(chapter);

@@ -1,6 +1,6 @@
 #pragma once
 /// @file near_lamp_chart.hpp
-/// Figure 5.20: a lamp that comes near.
+/// Figure 5.21: a lamp that comes near.
 
 #include <fmt/format.h>
 

@@ -5,9 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "course/chart.hpp"
+#include "course/chapter.hpp"
 #include "math/vector.hpp"
 #include "sampling/rng.hpp"
+#include "statistics/estimate.hpp"
 #include "statistics/running.hpp"
 #include "transport/tiles.hpp"
 
@@ -42,21 +43,21 @@ template <class Draw>
     return {x, rng.uniform<double>()};
 }
 
-/// Axes of a chart whose points have a bar of one standard error; of a closed form it is 0.
-[[nodiscard]] inline course::Axes axes_with_error(const std::string& x, const std::string& y,
-                                                  course::axis log = course::axis::none) {
-    return {.x       = x,
-            .y       = y,
-            .log     = log,
-            .columns = {.headers = {"series", x, y, "standard error"},
-                        .series  = "series",
-                        .x       = x,
-                        .y       = y,
-                        .error   = "standard error"}};
+[[nodiscard]] inline Estimate estimate(const Running& of) {
+    return {of.mean(), of.standard_error()};
 }
 
-inline void add(course::Chart chart, const std::string& series, double x, double y, double error = 0) {
-    chart.add(series, x, y, {error});
+/// A number as the text prints it; its last digit is worth `digit`.
+struct Printed {
+    double value, digit;
+};
+
+/// What was estimated and its standard error, as the text prints them.
+inline void claim_estimate(course::Chapter& chapter, const std::string& what, Estimate of, Printed value,
+                           Printed error) {
+    chapter.claim(what, {.expected = value.value, .measured = of.value, .tolerance = value.digit / 2});
+    chapter.claim(what + ": standard error",
+                  {.expected = error.value, .measured = of.error, .tolerance = error.digit / 2});
 }
 
 }  // namespace sr

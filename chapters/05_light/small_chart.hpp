@@ -5,12 +5,17 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "course/chapter.hpp"
+#include "geometry/disk.hpp"
 #include "math/degrees.hpp"
+#include "radiometry/disk_solid_angle.hpp"
+#include "radiometry/polygon_solid_angle.hpp"
+#include "radiometry/solid_angle.hpp"
 #include "sampling/cone.hpp"
 #include "small_area.hpp"
 #include "small_lamps.hpp"
@@ -20,7 +25,7 @@ namespace sr {
 
 /// Figure 5.4, and the rule of thumb.
 inline void chart_small_areas(course::Chapter& chapter) {
-    auto                chart = chapter.chart("small_areas", "How wrong is $A \\cos\\theta / r^2$?",
+    auto                chart = chapter.chart("small_areas", "How wrong is $A \\cos\\theta' / r^2$?",
                                               {.x = "size / distance (radius of a disk, half the side of a square)",
                                                .y   = "relative error",
                                                .log = course::axis::xy});
@@ -42,6 +47,7 @@ inline void chart_small_areas(course::Chapter& chapter) {
     claim("slope of the disk's error below a size of 0.1", 2, log_log_slope(sizes, errors).value, 0.01);
     claim("error of a disk five times as far away as it is wide [%]", 0.75, 100 * small_disk_error(0.1, 0),
           0.005);
+    claim("error of its irradiance there [%]", 1, 100 * small_lamp_error(0.1), 0.005);
     claim("error of a square five times as far away as it is wide [%]", 1, 100 * small_square_error(0.1),
           0.05);
     claim("error of a disk as far away as its radius [%]", 71, 100 * small_disk_error(1, 0), 0.5);
@@ -85,6 +91,25 @@ inline void chart_rounding(course::Chapter& chapter) {
                   {.expected  = 2.2,
                    .measured  = textbook_sphere_solid_angle(1.0, 1e8) / exact_sphere(1e-8),
                    .tolerance = 0.05});
+}
+
+/// What a thing's solid angle is, in numbers that can be checked by hand.
+inline void claim_solid_angles(course::Chapter& chapter) {
+    using Points     = std::vector<Vector3<double>>;
+    const auto claim = [&](const std::string& what, double expected, SolidAngle<double> measured) {
+        chapter.claim("5.3 solid angle of " + what + " [sr]",
+                      {.expected = expected, .measured = measured.value(), .tolerance = 5e-5});
+    };
+    const auto   disk = [](double aside) { return Disk<double>{{aside, 0, 1}, {0, 0, 1}, 1}; };
+    const Points aside{{1, 0.5, 1}, {3, 0.5, 1}, {3, 2, 1}, {1, 2, 1}};
+    const Points dent{{1, 1, 1}, {-1, 1, 1}, {-1, -1, 1}, {1, -1, 1}, {0, 0, 1}};
+    claim("a sphere at twice its radius", 0.8418, solid_angle(Sphere<double>{{0, 0, 2}, 1}));
+    claim("a disk from its axis", 1.8403, solid_angle(disk(0)));
+    claim("a disk from below its rim", 1.1227, solid_angle(disk(1)));
+    claim("a square from below its middle", 2.0944, centred_rectangle_solid_angle(1.0, 1.0, 1.0));
+    claim("a rectangle aside", 0.2121, solid_angle(std::span<const Vector3<double>>(aside)));
+    claim("a triangle", 1.5708, solid_angle(Triangle<double>{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}));
+    claim("a square with a dent", 1.5708, solid_angle(std::span<const Vector3<double>>(dent)));
 }
 
 /// How many of 200 000 directions to a small lamp are at different distances from its middle.

@@ -18,8 +18,8 @@ namespace sr {
 struct Sunlight {
     double sine = 0.05;  ///< of the cone's half-angle: 3 degrees, ten times the sun's
 
-    /// A ray of it through the square |x|, |y| <= 1 in the plane z = 0, each as likely by flux: points are uniform in the
-    /// square, and directions in the cone's shadow on it, which puts the cosine in.
+    /// A ray of it through the square |x|, |y| <= 1 in the plane z = 0, each as likely by flux: points are uniform in
+    /// the square, and directions in the cone's shadow on it, which puts the cosine in.
     [[nodiscard]] Ray<double> ray(Rng& rng) const {
         const auto   p = random_point(rng);
         const auto   d = sample_disk(random_point(rng), sine);

@@ -16,7 +16,8 @@ TEST_CASE("chapter 5: claims and text agree, figures have their data, renders do
     runs.check_chart("rounding", {"series"}, 4U * 20);
     for (const std::string measured : {"eclipse", "cosine_law", "setting_lamp"})
         runs.check_chart(measured, {"series"}, 50);
-    runs.check_chart("receding", {"series", "distance [radii]"}, 2U * 4);
+    runs.check_chart("receding", {"series", "distance [radii]"}, 3U * 4);
+    runs.check_chart("nested_spheres", {"series", "radius [m]"}, 2U * 4);
     runs.check_chart("skies", {"series", "tilt of the facet [deg]"}, 2U * 31);
     runs.check_chart("near_lamp", {"series", "height of the disk [radii]"}, 2U * 17);
     for (const std::string race : {"disk_lamp", "occluded_lamp"}) {
