@@ -50,8 +50,17 @@ double round_step(double range) {
     return 10 * power;
 }
 
+/// Of an axis in degrees: a divisor of the right angle, where there is one for so wide a range.
+double step_of(const std::string& title, double range) {
+    const bool degrees = title.ends_with("[deg]") || title.ends_with("[degrees]");
+    if (degrees && range > 60)
+        for (const double step : {15.0, 30.0, 45.0, 90.0})
+            if (range <= 6 * step) return step;
+    return round_step(range);
+}
+
 /// The ends of an axis that shows all of `extent`, and a little more or up to round numbers.
-Scale scale_of(Extent extent, bool log) {
+Scale scale_of(const std::string& title, Extent extent, bool log) {
     if (log) {
         const double decades = std::log10(extent.max / extent.min);
         const double margin  = std::pow(10, std::max(0.05 * decades, 0.04));
@@ -61,7 +70,7 @@ Scale scale_of(Extent extent, bool log) {
         extent.min = 0;  // show how large, not only how different
     const double range =
         extent.max > extent.min ? extent.max - extent.min : std::max(1.0, std::abs(extent.max));
-    const double step = round_step(range);
+    const double step = step_of(title, range);
     // up to the next round number where that is near, and no farther than a point's width where it is not
     const double low  = std::floor(extent.min / step + 1e-9) * step;
     const double high = std::ceil(extent.max / step - 1e-9) * step;
@@ -393,8 +402,8 @@ Frame lay_out(const ChartData& chart, const Curves& all) {
     const double title   = double(frame.title.size()) * line_height(FontSize::title);
     const double caption = double(frame.caption.size()) * line_height(FontSize::small);
     frame.canvas.height += caption;
-    frame.x = scale_of(x_extent(chart, curves), is_log(chart, axis::x));
-    frame.y = scale_of(y_extent(chart, curves), is_log(chart, axis::y));
+    frame.x = scale_of(chart.axes.x, x_extent(chart, curves), is_log(chart, axis::x));
+    frame.y = scale_of(chart.axes.y, y_extent(chart, curves), is_log(chart, axis::y));
     if (frame.y.log && has_zero(curves)) frame.y = with_zero(frame.y);
 
     frame.x.from = 88;

@@ -166,6 +166,22 @@ TEST_CASE("axes show all of the data and not much more") {
     }
 }
 
+TEST_CASE("an axis in degrees has a tick at the right angle") {
+    const auto step = [](double from, double to, const std::string& unit) {
+        Chart chart{"c", "t", {.x = "angle [" + unit + "]", .y = "y"}};
+        chart.add("a", from, 0);
+        chart.add("a", to, 1);
+        return laid_out(chart).x.step;
+    };
+    CHECK(step(0, 90, "deg") == 15);
+    CHECK(step(-90, 90, "degrees") == 30);
+    CHECK(step(0, 360, "deg") == 90);
+    CHECK(step(0, 60, "deg") == 10);
+    CHECK(step(40, 42, "deg") == 0.5);
+    CHECK(step(0, 90, "m") == 20);
+    CHECK(step(0, 3600, "deg") == 1000);
+}
+
 TEST_CASE("spread labels are apart, in order, and no farther moved than they must be") {
     const std::vector<double> far{10, 50, 90};
     CHECK(spread(far, {20, 20, 20}, 0, 100) == far);
