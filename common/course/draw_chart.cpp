@@ -39,21 +39,22 @@ std::string text_block(const Dialect& dialect, const Canvas& canvas, const std::
     return script;
 }
 
-/// The numbers along a logarithmic axis: powers of ten, or decimals where it spans less than three of those, also
-/// at 2 and 5 where they would be very few.
+/// The numbers along a logarithmic axis: powers of ten, of which eight or so are named, or decimals where it spans
+/// less than three of those, also at 2 and 5 where they would be very few.
 std::string log_ticks(char name, const Scale& scale, const Dialect& dialect) {
-    const double decades = std::log10(scale.max / scale.min);
-    if (decades > 8 && !scale.shows_zero())
-        return fmt::format("set format {} {}\n", name, dialect.power_of_ten());
+    const double             decades = std::log10(scale.max / scale.min);
     std::vector<std::string> major;
     std::vector<std::string> minor;
     const int                first = int(std::floor(std::log10(scale.min)));
     const int                last  = int(std::ceil(std::log10(scale.max)));
-    const bool               plain = decades < 3 && scale.min >= 1e-4 && scale.max <= 1e6;  // as wide as fits
+    const int                every =
+        std::max(1, int(std::ceil(std::log10(scale.max / std::max(scale.min, scale.lowest)) / 8)));
+    const bool plain = decades < 3 && scale.min >= 1e-4 && scale.max <= 1e6;  // as wide as fits
     for (int power = first; power <= last; ++power)
         for (int digit = 1; digit <= 9; ++digit) {
             const double value = digit * std::pow(10, power);
-            const bool   named = digit == 1 || (decades < 1.7 && (digit == 2 || digit == 5));
+            const bool   named =
+                (digit == 1 && power % every == 0) || (decades < 1.7 && (digit == 2 || digit == 5));
             if (value < std::max(scale.min, scale.lowest) * (1 - 1e-9) || value > scale.max * (1 + 1e-9))
                 continue;
             const std::string label =
@@ -61,7 +62,7 @@ std::string log_ticks(char name, const Scale& scale, const Dialect& dialect) {
                       : fmt::format("${}10^{{{}}}$", digit == 1 ? "" : fmt::format("{}\\cdot", digit), power);
             if (named)
                 major.push_back(fmt::format("{} {:.10g}", dialect.text(label), value));
-            else
+            else if (digit == 1 || every == 1)
                 minor.push_back(fmt::format("'' {:.10g} 1", value));
         }
     if (scale.shows_zero()) major.push_back(fmt::format("'0' {:.10g}", scale.zero()));
@@ -98,7 +99,7 @@ std::string texts_of(const ChartData& chart, const Frame& frame, const Dialect& 
     const Point   title{12, canvas.height - 8 - line_height(FontSize::title) / 2};
     const Point   caption{12, frame.y.from - below_plot - line_height(FontSize::small) / 2 + 6};
     const Point   x_title{(frame.x.from + frame.x.to) / 2, frame.y.from - 50};
-    const Point   y_title{18, (frame.y.from + frame.y.to) / 2};
+    const Point   y_title{14, (frame.y.from + frame.y.to) / 2};
     std::string   script = text_block(dialect, canvas, frame.title, title, FontSize::title, Ink::black) +
                          text_block(dialect, canvas, frame.caption, caption, FontSize::small, Ink::grey);
     script += fmt::format("set label {} at {} center {}\nset label {} at {} center rotate {}\n",

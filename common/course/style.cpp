@@ -108,8 +108,4 @@ std::string Dialect::finished(std::string picture) const {
     return (tex_ ? "% needs \\usepackage{gnuplot-lua-tikz}\n" : "") + picture;
 }
 
-std::string Dialect::power_of_ten() const {
-    return tex_ ? "'$10^{%T}$'" : "'10^{%T}'";
-}
-
 }  // namespace sr::course

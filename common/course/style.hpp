@@ -41,7 +41,6 @@ public:
     [[nodiscard]] std::string font(FontSize size) const;         ///< "font '...'"
     /// What gnuplot drew, with what it leaves out; a .tex says which package it needs.
     [[nodiscard]] std::string finished(std::string picture) const;
-    [[nodiscard]] std::string power_of_ten() const;  ///< the format of a logarithmic axis, quoted
 
 private:
     bool        tex_;

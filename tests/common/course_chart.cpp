@@ -323,6 +323,20 @@ TEST_CASE("a logarithmic axis of three decades or more is numbered in powers of 
     CHECK(pixels().find("'10\u00a0000'") != std::string::npos);
 }
 
+TEST_CASE("of many powers of ten about eight are named, also where the axis shows 0") {
+    for (const double least : {0.0, 1e-14}) {
+        Chart chart{"c", "t", {.x = "x", .y = "y", .log = axis::y}};
+        chart.add("a", 1, 1e-14);
+        chart.add("a", 2, 1);
+        chart.add("b", 1, least);
+        const std::string script = chart_script(chart.data(), "c.csv", "svg");
+        CHECK(script.find("'10^{−14}' 1e-14") != std::string::npos);
+        CHECK(script.find("'' 1e-13 1") != std::string::npos);
+        CHECK(script.find("'10^{0}' 1") != std::string::npos);
+        CHECK(script.find("10^{−13}") == std::string::npos);
+    }
+}
+
 TEST_CASE("gnuplot draws every format from the CSV") {
     if (!run_gnuplot("set terminal dumb\nplot x")) {
         MESSAGE("gnuplot is not installed: nothing was drawn");
