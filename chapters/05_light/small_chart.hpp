@@ -25,7 +25,7 @@ namespace sr {
 
 /// Figure 5.4, and the rule of thumb.
 inline void chart_small_areas(course::Chapter& chapter) {
-    auto                chart = chapter.chart("small_areas", "How wrong is $A \\cos\\theta' / r^2$?",
+    auto                chart = chapter.chart("small_areas", "How wrong is $A\\, \\cos\\theta' / r^2$?",
                                               {.x = "size / distance (radius of a disk, half the side of a square)",
                                                .y   = "relative error",
                                                .log = course::axis::xy});
@@ -40,6 +40,8 @@ inline void chart_small_areas(course::Chapter& chapter) {
         sizes.push_back(size);
         errors.push_back(small_disk_error(size, 0));
     }
+    chart.as_line("square");
+    chart.as_points("disk, irradiance");
     chart.caption("Half as large, or twice as far away: a quarter of the error.");
     const auto claim = [&](const std::string& what, double expected, double measured, double tolerance) {
         chapter.claim("5.2 " + what, {.expected = expected, .measured = measured, .tolerance = tolerance});
