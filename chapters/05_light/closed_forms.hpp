@@ -65,8 +65,7 @@ inline void chart_setting_lamp(course::Chapter& chapter) {
     chart.as_line("(5.16), (5.17)");
     chart.as_line("as a point light");
     chart.as_points("by 4096 rays");
-    chart.mark_x(60, "60: it begins");
-    chart.mark_x(90, "90: half set");
+    chart.mark_x(60, "it begins to set");
     chart.caption(
         "Above the horizon, a sphere is a point light, exactly. At 90 degrees, half of it still shines.");
     chapter.claim("5.7 half set: irradiance [W/m^2]",
@@ -87,7 +86,6 @@ inline void chart_skies(course::Chapter& chapter) {
         chart.add("uniform", tilt, uniform_sky_irradiance(L, a) / uniform_sky_irradiance(L, 0.0));
         chart.add("overcast", tilt, overcast_sky_irradiance(L, a) / overcast_sky_irradiance(L, 0.0));
     }
-    chart.mark_x(90, "90: upright");
     chart.caption("The overcast sky is three times as bright at the zenith as at the horizon.");
 }
 
