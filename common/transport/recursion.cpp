@@ -7,6 +7,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "scene/lamps.hpp"
 #include "transport/single_directions.hpp"
 
 namespace sr {
@@ -25,6 +26,7 @@ bool exceeds(Spectrum s, float bound) {
 
 RecursiveTracer::RecursiveTracer(const Scene& scene, RecursionOptions options)
     : surfaces_{scene},
+      casters_{without_lamps(scene)},
       materials_{scene.materials},
       lights_{scene.lights},
       background_{scene.background},
@@ -59,7 +61,7 @@ Spectrum RecursiveTracer::from_lights(const At& at, const LobeSum<float>& scatte
         const Spectrum f        = scattering.f(at.wo(), wi);
         if (f == Spectrum{}) continue;
         ++tree.count.shadow_rays;
-        if (surfaces_.occluded(between(at.point(), Vec3(light.position())), before_the_end<float>)) continue;
+        if (casters_.occluded(between(at.point(), Vec3(light.position())), before_the_end<float>)) continue;
         // (7.2) the irradiance I cos / r^2
         L = L + std::abs(wi.z) / dot(to_light, to_light) * (f * light.intensity());
     }

@@ -6,8 +6,9 @@
 ///     RayCount count;
 ///     const Spectrum L = tracer.radiance(ray, rng, count);
 ///
-/// Glass casts shadows as if it were opaque, and nothing lights a surface but the lights themselves: neither what a
-/// mirror or a lens throws on it, a caustic, nor the surfaces around it.
+/// Glass casts shadows as if it were opaque. What shines casts none: a lamp's light stands in it. Nothing lights a
+/// surface but the lights themselves: neither what a mirror or a lens throws on it, a caustic, nor the surfaces
+/// around it.
 /// @see Whitted, An Improved Illumination Model for Shaded Display, CACM 23(6), 1980
 
 #include <cstdint>
@@ -73,6 +74,7 @@ private:
                                        Tree tree) const;
 
     Surfaces<float>         surfaces_;
+    Surfaces<float>         casters_;  ///< of shadows
     std::vector<Material>   materials_;
     std::vector<PointLight> lights_;
     Spectrum                background_;

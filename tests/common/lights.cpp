@@ -7,7 +7,6 @@
 #include <stdexcept>
 
 #include "scene/cornell_box.hpp"
-#include "scene/lamps.hpp"
 #include "scene/scene.hpp"
 #include "scene/surfaces.hpp"
 
@@ -33,16 +32,6 @@ TEST_CASE("lights: one that can't be is refused by name and value") {
     CHECK_THROWS_WITH((PointLight{{0, HUGE_VAL, 0}, {1, 1, 1}}),
                       "position of a point light is (0, inf, 0); each must be finite");
     CHECK(PointLight{{1, 2, 3}, {4, 5, 6}}.intensity() == Spectrum{4, 5, 6});
-}
-
-TEST_CASE("lights: a lamp's point light is in its middle, with its normal intensity L A") {
-    const Scene box    = cornell_box();
-    const auto  lights = lights_of_lamps(box);
-    REQUIRE(lights.size() == 1);
-    // the lamp is the rectangle of 130 x 105 from (213, 227) to (343, 332), 0.1 below 548.8
-    CHECK(length(lights[0].position() - Vector3<double>{278, 548.7, 279.5}) <= 1e-9);
-    CHECK(std::abs(lights[0].intensity().r / (17.0F * 130 * 105) - 1) <= 1e-6F);
-    CHECK(std::abs(lights[0].intensity().b / (4.0F * 130 * 105) - 1) <= 1e-6F);
 }
 
 TEST_CASE("scene: what can't be is refused by name and value") {
