@@ -26,6 +26,10 @@ bool Material::is_transparent() const {
 }
 
 Material diffuse_material(std::string name, Spectrum reflectance, Spectrum emission) {
+    if (!each_in(reflectance, 0, 1))
+        throw std::invalid_argument(
+            fmt::format("reflectance of material '{}' is ({}, {}, {}); each must be from 0 to 1", name,
+                        reflectance.r, reflectance.g, reflectance.b));
     return {std::move(name), LobeSum<float>{{{reflectance, Diffuse<float>{}}}}, emission};
 }
 
@@ -57,10 +61,14 @@ void check_scene(const Scene& scene) {
         check_material_index("face", i, scene.material_of_face[i], scene);
     for (std::size_t i = 0; i < scene.balls.size(); ++i) {
         check_material_index("ball", i, scene.balls[i].material, scene);
-        const double radius = scene.balls[i].sphere.radius;
+        const auto& [centre, radius] = scene.balls[i].sphere;
         if (!(radius > 0 && std::isfinite(radius)))
             throw std::invalid_argument(
                 fmt::format("ball {} has a radius of {}; must be positive and finite", i, radius));
+        if (!(std::isfinite(centre.x) && std::isfinite(centre.y) && std::isfinite(centre.z)))
+            throw std::invalid_argument(
+                fmt::format("ball {} has its centre at ({}, {}, {}); each must be finite", i, centre.x,
+                            centre.y, centre.z));
     }
 }
 

@@ -29,7 +29,7 @@ struct Material {
 };
 
 /// @param reflectance  share of the light that leaves again, 0 to 1 [1]
-/// @throws std::invalid_argument if the reflectance is not from 0 to 1
+/// @throws std::invalid_argument that names the material, if the reflectance is not from 0 to 1
 [[nodiscard]] Material diffuse_material(std::string name, Spectrum reflectance, Spectrum emission = {});
 
 /// A sphere made of materials[material].
@@ -49,8 +49,8 @@ struct Scene {
     Spectrum                   background       = {};  ///< radiance from where nothing is [W/(m^2 sr)]
 };
 
-/// @throws std::invalid_argument that names what can't be: a material or a background that emits less than nothing, one that is
-///         missing, a ball without a radius
+/// @throws std::invalid_argument that names what can't be: a material or a background that emits less than nothing,
+///         one that is missing, a ball without a radius or a place
 void check_scene(const Scene& scene);
 
 }  // namespace sr

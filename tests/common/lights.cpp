@@ -3,8 +3,10 @@
 
 #include <doctest/doctest.h>
 
+#include <fmt/format.h>
+
 #include <cmath>
-#include <stdexcept>
+#include <string>
 
 #include "scene/cornell_box.hpp"
 #include "scene/scene.hpp"
@@ -27,8 +29,10 @@ Scene ball_of(Material material) {
 TEST_CASE("lights: one that can't be is refused by name and value") {
     CHECK_THROWS_WITH((PointLight{{0, 0, 0}, {1, -2, 0}}),
                       "intensity of a point light is (1, -2, 0); each must be finite and not negative");
-    CHECK_THROWS_AS((PointLight{{0, 0, 0}, {std::nanf(""), 0, 0}}), std::invalid_argument);
-    CHECK_THROWS_AS((PointLight{{0, 0, 0}, {0, 0, HUGE_VALF}}), std::invalid_argument);
+    CHECK_THROWS_WITH((PointLight{{0, 0, 0}, {std::nanf(""), 0, 0}}),
+                      "intensity of a point light is (nan, 0, 0); each must be finite and not negative");
+    CHECK_THROWS_WITH((PointLight{{0, 0, 0}, {0, 0, HUGE_VALF}}),
+                      "intensity of a point light is (0, 0, inf); each must be finite and not negative");
     CHECK_THROWS_WITH((PointLight{{0, HUGE_VAL, 0}, {1, 1, 1}}),
                       "position of a point light is (0, inf, 0); each must be finite");
     CHECK(PointLight{{1, 2, 3}, {4, 5, 6}}.intensity() == Spectrum{4, 5, 6});
@@ -38,9 +42,12 @@ TEST_CASE("scene: what can't be is refused by name and value") {
     CHECK_NOTHROW(check_scene(ball_of(diffuse_material("chalk", {0.5F, 0.5F, 0.5F}))));
     CHECK_THROWS_WITH(check_scene(ball_of(diffuse_material("lamp", {}, {1, -1, 0}))),
                       "material 'lamp' emits (1, -1, 0); each must be finite and not negative");
-    CHECK_THROWS_AS(check_scene(ball_of(diffuse_material("lamp", {}, {std::nanf(""), 0, 0}))),
-                    std::invalid_argument);
-    CHECK_THROWS_AS((void)diffuse_material("chalk", {1.5F, 0, 0}), std::invalid_argument);
+    CHECK_THROWS_WITH(check_scene(ball_of(diffuse_material("lamp", {}, {std::nanf(""), 0, 0}))),
+                      "material 'lamp' emits (nan, 0, 0); each must be finite and not negative");
+    CHECK_THROWS_WITH((void)diffuse_material("chalk", {1.5F, 0, 0}),
+                      "reflectance of material 'chalk' is (1.5, 0, 0); each must be from 0 to 1");
+    CHECK_THROWS_WITH((void)diffuse_material("chalk", {0, std::nanf(""), 0}),
+                      "reflectance of material 'chalk' is (0, nan, 0); each must be from 0 to 1");
 
     Scene dark      = ball_of(diffuse_material("chalk", {}));
     dark.background = {0, 0, -1};
@@ -52,8 +59,13 @@ TEST_CASE("scene: what can't be is refused by name and value") {
     for (const double radius : {0.0, -1.0, std::nan("")}) {
         Scene flat                  = ball_of(diffuse_material("chalk", {}));
         flat.balls[0].sphere.radius = radius;
-        CHECK_THROWS_AS(Surfaces<float>{flat}, std::invalid_argument);
+        CHECK_THROWS_WITH(
+            Surfaces<float>{flat},
+            fmt::format("ball 0 has a radius of {}; must be positive and finite", radius).c_str());
     }
+    Scene nowhere                  = ball_of(diffuse_material("chalk", {}));
+    nowhere.balls[0].sphere.centre = {0, std::nan(""), HUGE_VAL};
+    CHECK_THROWS_WITH(check_scene(nowhere), "ball 0 has its centre at (0, nan, inf); each must be finite");
     Scene bare = cornell_box();
     bare.material_of_face.pop_back();
     CHECK_THROWS_WITH(check_scene(bare), "32 faces, and materials for 31 of them; must be as many");
@@ -91,6 +103,28 @@ TEST_CASE_TEMPLATE("surfaces: the nearest of triangles and balls, from either si
     CHECK(!surfaces.occluded({{165, 95, -100}, {0, 0, 1}}, {0, 190}));
     CHECK(surfaces.occluded({{165, 300, -100}, {0, 0, 1}}, {0, 700}));
     CHECK(!surfaces.occluded({{165, 300, -100}, {0, 0, 1}}, {0, 650}));
+}
+
+TEST_CASE_TEMPLATE("surfaces: of a triangle and the balls before and behind it, the first is met", T, float,
+                   double) {
+    Scene scene;
+    for (const std::string name : {"front", "sheet", "back"})
+        scene.materials.push_back(diffuse_material(name, {}));
+    scene.mesh             = {{{-9, -9, 0}, {9, -9, 0}, {0, 9, 0}}, {{0, 1, 2}}};
+    scene.material_of_face = {1};
+    scene.balls            = {{{{0, 0, -3}, 1}, 2}, {{{0, 0, 3}, 1}, 0}};
+    const Surfaces<T> surfaces(scene);
+    for (const T side : {T{1}, T{-1}}) {
+        const auto from = [&](T z) { return surfaces.nearest({{0, 0, side * z}, {0, 0, -side}}); };
+        const auto ball = from(5), sheet = from(1), beyond = from(-1);
+        REQUIRE((ball && sheet && beyond));
+        CHECK(ball->t == 1);
+        CHECK(ball->material == (side > 0 ? 0 : 2));
+        CHECK(sheet->t == 1);
+        CHECK(sheet->material == 1);
+        CHECK(beyond->t == 1);
+        CHECK(beyond->material == (side > 0 ? 2 : 0));
+    }
 }
 
 TEST_CASE("surfaces: a triangle too small for its normal faces the ray that found it") {
