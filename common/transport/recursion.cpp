@@ -14,6 +14,8 @@ namespace sr {
 
 namespace {
 
+constexpr std::uint64_t most_rays = 1'000'000;  ///< of one tree
+
 Sides sides_of(const Material& material) {
     return material.is_transparent() ? Sides::two : Sides::alike;
 }
@@ -38,11 +40,15 @@ RecursiveTracer::RecursiveTracer(const Scene& scene, RecursionOptions options)
 }
 
 Spectrum RecursiveTracer::radiance(const Ray<float>& ray, Rng& rng, RayCount& count) const {
-    return arriving(ray, {}, {rng, count});
+    return arriving(ray, {}, {rng, count, count.rays + most_rays});
 }
 
 Spectrum RecursiveTracer::arriving(const Ray<float>& ray, const Branch& branch, Tree tree) const {
-    ++tree.count.rays;
+    if (++tree.count.rays > tree.most_rays)
+        throw std::runtime_error(fmt::format(
+            "a pixel's tree of rays, of depth {} and cut-off {}, has more than {}; take a smaller "
+            "depth or a larger cut-off",
+            options_.depth, options_.cut_off, most_rays));
     const auto hit = surfaces_.nearest(ray);
     if (!hit) return background_;
     const Material& material = materials_[hit->material];

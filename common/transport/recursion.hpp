@@ -52,6 +52,8 @@ public:
 
     /// The radiance that arrives along the ray, equation (7.5).
     /// @param rng  asked where a branch is random, and only there
+    /// @throws std::runtime_error if its tree has more than a million rays: where each level has twice as many, a
+    ///         depth of 64 would take for ever
     [[nodiscard]] Spectrum radiance(const Ray<float>& ray, Rng& rng, RayCount& count) const;
 
 private:
@@ -59,8 +61,9 @@ private:
 
     /// One pixel's tree of rays: what is shared by all of its branches.
     struct Tree {
-        Rng&      rng;
-        RayCount& count;
+        Rng&          rng;
+        RayCount&     count;
+        std::uint64_t most_rays;  ///< that may have been counted when it is done
     };
     /// A branch of the tree: its length up to here, and what its light counts in the pixel.
     struct Branch {

@@ -6,8 +6,10 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <set>
 #include <stdexcept>
 #include <utility>
+#include <vector>
 
 #include "scene/cornell_box.hpp"
 #include "statistics/running.hpp"
@@ -89,6 +91,26 @@ TEST_CASE("recursion: a branch that counts no more than the cut-off ends") {
     CHECK(count.rays == 7);
 }
 
+TEST_CASE("recursion: a tree without end is an error; with a cut-off or a branch at random, it isn't one") {
+    // two mirrors in one: each level has twice the rays
+    const Spectrum half{0.5F, 0.5F, 0.5F};
+    const Scene    scene =
+        furnace({"mirrors", LobeSum<float>{{{half, Mirror<float>{}}, {half, Mirror<float>{}}}}, {1, 1, 1}});
+    const auto seen = [&](const RecursionOptions& options) {
+        return L_of(scene, options, {{0.3F, 0.2F, 0.1F}, {1, 2, 3}});
+    };
+    CHECK_THROWS_WITH(
+        (void)seen({.depth = 64}),
+        "a pixel's tree of rays, of depth 64 and cut-off 0, has more than 1000000; take a smaller "
+        "depth or a larger cut-off");
+    CHECK(std::abs(seen({.depth = 10}) - 10) <= 1e-4F);
+    CHECK(std::abs(seen({.depth = 64, .cut_off = 0.1F}) - 4) <= 1e-5F);  // 1/8 counts, 1/16 does not
+    CHECK(std::abs(seen({.depth = 64, .branching = Branching::random}) - 64) <= 1e-3F);
+    // the count of a whole image may be larger
+    RayCount count{.rays = 2'000'000};
+    CHECK(std::abs(L_of(scene, {.depth = 10}, {{0.3F, 0.2F, 0.1F}, {1, 2, 3}}, count) - 10) <= 1e-4F);
+}
+
 TEST_CASE("furnace: where all shines alike, glass is not to be seen, from outside and from inside") {
     // 1 - R arrives by one way and R by the other, whatever R is; n^2 is scaled away on the way out
     const Scene scene =
@@ -120,7 +142,7 @@ TEST_CASE("random branches: their mean is what the tree of all of them sees") {
     CHECK(z_test(drawn.mean() - 0.3, drawn.standard_error(), double(expected)).p < 1e-6);
 }
 
-TEST_CASE("B1: a point light lights by I cos / r^2, and not through what is before it") {
+TEST_CASE("B1: a point light lights by I cos / r^2, not through what is before it, and past what is beyond") {
     // a floor of reflectance 0.5 at z = 0, seen from (3, 0, 4); the light 2 above (1, 0, 0)
     Scene scene;
     scene.materials        = {diffuse_material("floor", {0.5F, 0.5F, 0.5F}), glass(1.5F)};
@@ -136,6 +158,8 @@ TEST_CASE("B1: a point light lights by I cos / r^2, and not through what is befo
     CHECK(std::abs(double(seen(-0.5F, count)) / (k * 0.8 / 6.25) - 1) <= 1e-6);  // r = 2.5, cos = 2 / 2.5
     CHECK(count.rays == 2);
     CHECK(count.shadow_rays == 2);
+    scene.balls = {{{{1, 0, 2.5}, 0.25}, 0}};  // beyond the light
+    CHECK(std::abs(double(seen(1, count)) / (k / 4) - 1) <= 1e-6);
     scene.balls = {{{{1, 0, 1}, 0.25}, 1}};  // of glass, and yet it casts a shadow
     CHECK(seen(1, count) == 0);
     CHECK(seen(-0.5F, count) > 0);
@@ -183,7 +207,26 @@ TEST_CASE("recursion: options out of range are refused by name and value") {
     CHECK(grid_side(144) == 12);
 }
 
-TEST_CASE("render: the same for any number of threads, each sample from its own numbers") {
+TEST_CASE("render: each sample has its own numbers, and they can be drawn again") {
+    const auto              camera = convert<float>(cornell_box_camera(4));
+    std::vector<float>      drawn;
+    std::vector<float>      expected;
+    constexpr PixelSampling sampling{.samples = 9, .seed = 7};
+    (void)render(camera, sampling, {.threads = 1}, [&](const Ray<float>&, Rng& rng) {
+        drawn.push_back(rng.uniform());
+        return Spectrum{};
+    });
+    for (int y = 0; y < 4; ++y) {
+        for (int x = 0; x < 4; ++x) {
+            for (int sample = 0; sample < 9; ++sample)
+                expected.push_back(Rng{sampling.seed, x, y, sample}.uniform());
+        }
+    }
+    CHECK(drawn == expected);
+    CHECK(std::set<float>(drawn.begin(), drawn.end()).size() == 4 * 4 * 9);
+}
+
+TEST_CASE("render: the same for any number of threads, and another for another seed") {
     const RecursiveTracer tracer(cornell_box_with_balls(), {.branching = Branching::random});
     const auto            camera = convert<float>(cornell_box_camera(48));
     const auto            with   = [&](int threads, std::uint64_t seed) {
