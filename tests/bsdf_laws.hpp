@@ -16,6 +16,7 @@
 #include <string>
 #include <vector>
 
+#include "material/bsdf.hpp"
 #include "math/degrees.hpp"
 #include "math/extremes.hpp"
 #include "math/gauss_legendre.hpp"
@@ -107,7 +108,7 @@ template <class B>
         Running by_sampling;
         for (int i = 0; i < 50'000; ++i) {
             const double u = rng.uniform<double>(), v = rng.uniform<double>();
-            const auto   one = bsdf.sample(wo, {u, v});
+            const auto   one = bsdf.sample(wo, {u, v}, TransportMode::radiance);
             by_sampling.add(one ? number(one->weight) : 0);
         }
         const double error =
@@ -129,7 +130,7 @@ template <class B>
         int           drawn = 0;
         for (int i = 0; i < draws; ++i) {
             const double u = rng.uniform<double>(), v = rng.uniform<double>();
-            drawn += bsdf.sample(wo, {u, v}) ? 1 : 0;
+            drawn += bsdf.sample(wo, {u, v}, TransportMode::radiance) ? 1 : 0;
         }
         const double share = double(drawn) / draws;
         if (!(std::abs(sum - share) <= 5 * std::sqrt(share * (1 - share) / draws) + 1e-5))
@@ -182,7 +183,7 @@ template <class Sampled, class Stated>
         Rng                        rng{64, 0, 0, 0};
         for (int i = 0; i < draws; ++i) {
             const double u = rng.uniform<double>(), v = rng.uniform<double>();
-            const auto   one = sampled.sample(wo, {u, v});
+            const auto   one = sampled.sample(wo, {u, v}, TransportMode::radiance);
             ++observed[!one ? expected.size() - 2 : one->wi.z > 0 ? Cells::of(one->wi) : expected.size() - 1];
         }
         least = min_or_nan(least, chi_square_test(observed, expected).p);
@@ -205,7 +206,9 @@ template <class B>
     for (const Direction& wo : views()) {
         for (int i = 0; i < 64; ++i) {
             const Vector2<double> u{(i % 8 + 0.5) / 8, (i / 8 + 0.5) / 8};
-            const auto       at = [&](double du, double dv) { return bsdf.sample(wo, {u.x + du, u.y + dv}); };
+            const auto            at = [&](double du, double dv) {
+                return bsdf.sample(wo, {u.x + du, u.y + dv}, TransportMode::radiance);
+            };
             const std::array near{at(0, 0), at(h, 0), at(-h, 0), at(0, h), at(0, -h)};
             if (!(near[0] && near[1] && near[2] && near[3] && near[4])) continue;
             ++tried;

@@ -48,7 +48,7 @@ template <class Lobe>
                                     std::uint64_t repeat, int n) {
     if (way == "lobe")
         return mean_of(repeat, n, [&](Vector2<double> u) {
-            const auto one = lobe.sample(wo, u);
+            const auto one = lobe.sample(wo, u, TransportMode::radiance);
             return one ? one->weight : 0;
         });
     const bool uniform = way == "uniform";

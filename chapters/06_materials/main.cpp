@@ -94,7 +94,7 @@ void lobes(course::Chapter& chapter) {
     diagram.caption("The distance from the lit point is f, in every direction.");
     portray_lobes(chapter);
     const Claims claim{chapter, "6.4"};
-    const auto   one = Mirror<double>{}.sample(at_angle(89.999), {0.5, 0.5});
+    const auto   one = Mirror<double>{}.sample(at_angle(89.999), {0.5, 0.5}, TransportMode::radiance);
     claim("a mirror of 0.8, sampled near 90 degrees", 0.8, one ? 0.8 * one->weight : 0, 0);
     const auto wo = at_angle(-50);
     claim("f of the diffuse lobe [1/sr]", 0.318, Diffuse<double>{}.f(wo, at_angle(50)), 0.0005);

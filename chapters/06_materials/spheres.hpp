@@ -107,8 +107,8 @@ private:
         if (!hit) return float(sky(Vector3<double>(ray.direction))) * (throughput * blue);
         const auto  frame = frame_around(hit->point.normal);
         const float u = rng.uniform(), v = rng.uniform();
-        const auto  next =
-            hit->material.sample(frame.to_local(-ray.direction), bounce == 0 ? first : Vec2{u, v});
+        const auto  next = hit->material.sample(frame.to_local(-ray.direction),
+                                               bounce == 0 ? first : Vec2{u, v}, TransportMode::radiance);
         if (!next) return {};
         throughput = throughput * next->weight;
         ray        = leave(hit->point, normalize(frame.to_world(next->wi)));

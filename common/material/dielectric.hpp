@@ -46,14 +46,14 @@ public:
         const T     R         = direction ? fresnel(std::abs(wo.z), eta).mean() : T{1};
         Branches<T> both{{reflect(wo), R, {}, true}, {}};
         // the same light in a cone n^2 as wide or as narrow; photons are counted, wherever they go
-        const T scale = mode == TransportMode::radiance ? 1 / (eta * eta) : T{1};
+        const T     scale = mode == TransportMode::radiance ? 1 / (eta * eta) : T{1};
         if (direction) both.refracted = {*direction, (1 - R) * scale, {}, true};
         return both;
     }
 
     /// One of the two, each as often as its share of the light.
     [[nodiscard]] std::optional<BsdfSample<T>> sample(const Vector3<T>& wo, Vector2<T> u,
-                                                      TransportMode mode = TransportMode::radiance) const {
+                                                      TransportMode mode) const {
         const Branches<T> both = branches(wo, mode);
         const T           R    = both.reflected.weight;
         BsdfSample<T>     one  = u.x < R ? both.reflected : *both.refracted;

@@ -23,7 +23,7 @@ struct Diffuse {
 
     /// Draws by the cosine: f cos / pdf is 1, whatever is drawn.
     [[nodiscard]] std::optional<BsdfSample<T>> sample(const Vector3<T>& wo, Vector2<T> u,
-                                                      TransportMode = TransportMode::radiance) const {
+                                                      TransportMode) const {
         if (!(wo.z > 0)) return std::nullopt;
         const Vector3<T> wi = sample_cosine_hemisphere(u);
         return BsdfSample<T>{wi, 1, pdf(wo, wi)};

@@ -84,8 +84,8 @@ public:
     }
 
     /// Draws from one of the lobes, each as often as its share of the light.
-    [[nodiscard]] std::optional<BsdfSample<T, Spectrum>> sample(
-        const Vector3<T>& wo, Vector2<T> u, TransportMode mode = TransportMode::radiance) const {
+    [[nodiscard]] std::optional<BsdfSample<T, Spectrum>> sample(const Vector3<T>& wo, Vector2<T> u,
+                                                                TransportMode mode) const {
         for (const auto& part : lobes_) {
             const auto p    = T(chance(part));
             const bool last = &part == &lobes_.back();

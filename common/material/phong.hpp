@@ -58,7 +58,7 @@ public:
 
     /// Draws by the lobe; none where that falls below the horizon: it is light that the surface does not give back.
     [[nodiscard]] std::optional<BsdfSample<T>> sample(const Vector3<T>& wo, Vector2<T> u,
-                                                      TransportMode = TransportMode::radiance) const {
+                                                      TransportMode) const {
         if (!(wo.z > 0)) return std::nullopt;
         const Vector3<T> wi = frame_around(reflect(wo)).to_world(sample_power_cosine(u, exponent_));
         if (!(wi.z > 0)) return std::nullopt;

@@ -3,7 +3,7 @@
 /// Where a ray meets a surface, as BSDFs see it: in a frame whose z axis is the normal.
 ///
 ///     const Interaction<float> at(hit->point, ray.direction, Sides::two);
-///     const auto sample = bsdf.sample(at.wo(), u);
+///     const auto sample = bsdf.sample(at.wo(), u, TransportMode::radiance);
 ///     trace(at.leave(sample->wi));
 
 #include <concepts>

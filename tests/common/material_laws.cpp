@@ -23,8 +23,8 @@ struct MissingCosine : Diffuse<double> {
     [[nodiscard]] Angles pdf(const V& wo, const V& wi) const {
         return wo.z > 0 ? pdf_uniform_hemisphere(wi) : Angles{};
     }
-    [[nodiscard]] Sample sample(const V& wo, Vector2<double> u) const {
-        auto one = Diffuse<double>::sample(wo, u);
+    [[nodiscard]] Sample sample(const V& wo, Vector2<double> u, TransportMode mode) const {
+        auto one = Diffuse<double>::sample(wo, u, mode);
         if (one) one->pdf = pdf(wo, one->wi);
         return one;
     }
@@ -39,7 +39,7 @@ struct BelowTheHorizon {
     [[nodiscard]] Angles pdf(const V& wo, const V& wi) const {
         return wo.z > 0 ? pdf_power_cosine(frame_around(reflect(wo)).to_local(wi), 10.0) : Angles{};
     }
-    [[nodiscard]] Sample sample(const V& wo, Vector2<double> u) const {
+    [[nodiscard]] Sample sample(const V& wo, Vector2<double> u, TransportMode) const {
         const V wi = frame_around(reflect(wo)).to_world(sample_power_cosine(u, 10.0));
         return BsdfSample<double>{wi, 12.0 / 11 * wi.z, pdf(wo, wi)};
     }
@@ -58,8 +58,8 @@ struct Unclamped : Diffuse<double> {
 
 /// Counts the cosine twice where it is sampled.
 struct ExtraCosine : Diffuse<double> {
-    [[nodiscard]] Sample sample(const V& wo, Vector2<double> u) const {
-        auto one = Diffuse<double>::sample(wo, u);
+    [[nodiscard]] Sample sample(const V& wo, Vector2<double> u, TransportMode mode) const {
+        auto one = Diffuse<double>::sample(wo, u, mode);
         if (one) one->weight *= one->wi.z;
         return one;
     }
@@ -67,8 +67,8 @@ struct ExtraCosine : Diffuse<double> {
 
 /// Draws on half of the hemisphere only, with a density that is right there.
 struct HalfTurn : Diffuse<double> {
-    [[nodiscard]] Sample sample(const V& wo, Vector2<double> u) const {
-        return Diffuse<double>::sample(wo, {u.x, u.y / 2});
+    [[nodiscard]] Sample sample(const V& wo, Vector2<double> u, TransportMode mode) const {
+        return Diffuse<double>::sample(wo, {u.x, u.y / 2}, mode);
     }
 };
 
@@ -128,11 +128,11 @@ TEST_CASE("laws: the chi-square test tells a lobe from one a little wider") {
 
 TEST_CASE("laws of deltas: what is seen one way is seen the other, and nothing is gained") {
     for (const V& wo : views()) {
-        const auto one = Mirror<double>{}.sample(wo, {0.5, 0.5});
+        const auto one = Mirror<double>{}.sample(wo, {0.5, 0.5}, TransportMode::radiance);
         REQUIRE(one);
         CHECK((one->is_delta && one->weight == 1 && one->pdf.value == 0));
-        CHECK(Mirror<double>{}.sample(one->wi, {0.5, 0.5})->wi == wo);
-        CHECK(!Mirror<double>{}.sample(-wo, {0.5, 0.5}));
+        CHECK(Mirror<double>{}.sample(one->wi, {0.5, 0.5}, TransportMode::radiance)->wi == wo);
+        CHECK(!Mirror<double>{}.sample(-wo, {0.5, 0.5}, TransportMode::radiance));
 
         for (const double n : {4.0 / 3, 1.5, 2.42}) {
             CAPTURE(n);

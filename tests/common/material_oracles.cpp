@@ -139,7 +139,7 @@ TEST_CASE("E9: Phong's lobe as a density, its mean cosine and what of it falls b
     for (int i = 0; i < draws; ++i) {
         const double u = rng.uniform<double>(), v = rng.uniform<double>();
         cosine.add(sample_power_cosine(Vector2<double>{u, v}, 10.0).z);
-        below.add(lobe.sample(wo, {u, v}) ? 0 : 1);
+        below.add(lobe.sample(wo, {u, v}, TransportMode::radiance) ? 0 : 1);
     }
     CHECK(std::abs(cosine.mean() - 0.91666666666666667) <= 5 * cosine.standard_error());
     CHECK(std::abs(below.mean() - 0.19659505828331642) <= 5 * below.standard_error());
@@ -187,7 +187,7 @@ TEST_CASE("E10: 0.6 diffuse and 0.5 Phong are more light than there is, though a
 TEST_CASE("E11: a mirror's albedo is its reflectance at every angle") {
     const LobeSum<double> mirror{{{{0.8F, 0.8F, 0.8F}, Mirror<double>{}}}};
     for (const Direction& wo : views()) {
-        const auto one = mirror.sample(wo, {0.3, 0.6});
+        const auto one = mirror.sample(wo, {0.3, 0.6}, TransportMode::radiance);
         REQUIRE(one);
         CHECK(one->weight.g == 0.8F);
         CHECK(one->wi == reflect(wo));

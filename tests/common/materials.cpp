@@ -91,12 +91,14 @@ TEST_CASE("dielectric: what is drawn counts what its branch does, as often as it
     const auto       both = glass.branches(wo, TransportMode::radiance);
     const double     R    = both.reflected.weight;
     CHECK(std::abs(R - 0.25306056299031967) <= 1e-13);
-    CHECK(glass.sample(wo, {R * (1 - 1e-12), 0})->wi == both.reflected.wi);
-    CHECK(glass.sample(wo, {R * (1 + 1e-12), 0})->wi == both.refracted->wi);
-    CHECK(std::abs(glass.sample(wo, {0, 0})->weight - 1) <= 1e-15);
-    CHECK(std::abs(glass.sample(wo, {0.9, 0})->weight - 1 / 2.25) <= 1e-15);
+    CHECK(glass.sample(wo, {R * (1 - 1e-12), 0}, TransportMode::radiance)->wi == both.reflected.wi);
+    CHECK(glass.sample(wo, {R * (1 + 1e-12), 0}, TransportMode::radiance)->wi == both.refracted->wi);
+    CHECK(std::abs(glass.sample(wo, {0, 0}, TransportMode::radiance)->weight - 1) <= 1e-15);
+    CHECK(std::abs(glass.sample(wo, {0.9, 0}, TransportMode::radiance)->weight - 1 / 2.25) <= 1e-15);
     CHECK(!glass.branches({std::sin(1.0), 0, -std::cos(1.0)}, TransportMode::radiance).refracted);
-    CHECK(glass.sample({std::sin(1.0), 0, -std::cos(1.0)}, {1 - 0x1p-53, 0})->weight == 1);
+    CHECK(
+        glass.sample({std::sin(1.0), 0, -std::cos(1.0)}, {1 - 0x1p-53, 0}, TransportMode::radiance)->weight ==
+        1);
 }
 
 TEST_CASE("dielectric: an impossible index of refraction is refused by name and value") {
@@ -114,8 +116,8 @@ TEST_CASE("lobe sum: f adds up, and samples count f cos / pdf of the whole") {
 
     // 0.8 / 3 and 0.3: the lobes are chosen in the ratio of their mean weights
     const double diffuse = double(mean(red)) / (double(mean(red)) + double(mean(grey)));
-    const auto   first   = sum.sample(wo, {0.99 * diffuse, 0.3});
-    const auto   second  = sum.sample(wo, {1.01 * diffuse, 0.3});
+    const auto   first   = sum.sample(wo, {0.99 * diffuse, 0.3}, TransportMode::radiance);
+    const auto   second  = sum.sample(wo, {1.01 * diffuse, 0.3}, TransportMode::radiance);
     REQUIRE((first && second));
     CHECK(!first->is_delta);
     CHECK(second->is_delta);
@@ -127,8 +129,8 @@ TEST_CASE("lobe sum: f adds up, and samples count f cos / pdf of the whole") {
 }
 
 TEST_CASE("lobe sum: without light nothing is drawn, and more light than arrives is refused") {
-    CHECK(!LobeSum<float>{}.sample({0, 0, 1}, {0.5F, 0.5F}));
-    CHECK(!LobeSum<float>{{{{}, Diffuse<float>{}}}}.sample({0, 0, 1}, {0.5F, 0.5F}));
+    CHECK(!LobeSum<float>{}.sample({0, 0, 1}, {0.5F, 0.5F}, TransportMode::radiance));
+    CHECK(!LobeSum<float>{{{{}, Diffuse<float>{}}}}.sample({0, 0, 1}, {0.5F, 0.5F}, TransportMode::radiance));
     const auto refused = [](std::vector<WeightedLobe<float>> lobes) {
         return LobeSum<float>{std::move(lobes)};
     };

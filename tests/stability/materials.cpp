@@ -55,7 +55,7 @@ TEST_CASE(
     CHECK(std::isnan(textbook_polar_mirror_light(0.8, 0.0)));  // (rho / sin) sin at theta = 0
     CHECK(std::abs(textbook_mirror_light(0.8, 0.5) - 0.8) <= 1e-15);
     for (const V& wo : {V{0, 0, 1}, V{1, 0, 1e-300}, V{1, 0, 1e-9}}) {
-        const auto one = Mirror<double>{}.sample(wo, {0.5, 0.5});
+        const auto one = Mirror<double>{}.sample(wo, {0.5, 0.5}, TransportMode::radiance);
         REQUIRE(one);
         CHECK(0.8 * one->weight == 0.8);
         CHECK(one->wi == reflect(wo));
@@ -71,19 +71,19 @@ TEST_CASE(
     const Vec2 last{1 - 0x1p-24F, 1 - 0x1p-24F};  // the largest that the generator gives
     const Vec3 wo{0, 0, 1};
     for (const Vec2& u : {last, Vec2{0, 0}, Vec2{0, 1 - 0x1p-24F}}) {
-        const auto diffuse = Diffuse<float>{}.sample(wo, u);
+        const auto diffuse = Diffuse<float>{}.sample(wo, u, TransportMode::radiance);
         REQUIRE(diffuse);
         CHECK((diffuse->weight == 1 && diffuse->wi.z > 0 && diffuse->pdf.value > 0));
         for (const float e : {0.0F, 1.0F, 20.0F, 1000.0F, 1e6F}) {
             CAPTURE(e);
-            const auto glossy = Phong{e}.sample(wo, u);
+            const auto glossy = Phong{e}.sample(wo, u, TransportMode::radiance);
             REQUIRE(glossy);
             CHECK((glossy->weight > 0 && glossy->weight <= 2));
             CHECK((glossy->wi.z > 0 && std::isfinite(glossy->pdf.value) && glossy->pdf.value > 0));
         }
     }
     // even a 1 does no harm: the weight needs no division
-    CHECK(Diffuse<float>{}.sample(wo, {1, 0.5F})->weight == 1);
+    CHECK(Diffuse<float>{}.sample(wo, {1, 0.5F}, TransportMode::radiance)->weight == 1);
 }
 
 TEST_CASE("S45: Schlick's cosine from inside glass is a few percent where all light is reflected") {
