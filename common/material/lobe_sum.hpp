@@ -65,6 +65,7 @@ public:
         }
         constexpr float rounding = 1 + 1e-6F;  // 0.7 + 0.3 may exceed 1 by a last digit
         if (!each_in(sum, 0, rounding)) refuse("the albedo of the lobes' sum", sum);
+        share_out();
     }
 
     [[nodiscard]] const std::vector<WeightedLobe<T>>& lobes() const { return lobes_; }
@@ -79,23 +80,24 @@ public:
     /// The density with which `sample` draws wi, deltas aside.
     [[nodiscard]] Pdf<measure::SolidAngle> pdf(const Vector3<T>& wo, const Vector3<T>& wi) const {
         Pdf<measure::SolidAngle> sum;
-        for (const auto& part : lobes_) sum.value += chance(part) * pdf_of(part.lobe, wo, wi).value;
+        for (std::size_t i = 0; i < lobes_.size(); ++i)
+            sum.value += chances_[i] * pdf_of(lobes_[i].lobe, wo, wi).value;
         return sum;
     }
 
     /// Draws from one of the lobes, each as often as its share of the light.
     [[nodiscard]] std::optional<BsdfSample<T, Spectrum>> sample(const Vector3<T>& wo, Vector2<T> u,
                                                                 TransportMode mode) const {
-        for (const auto& part : lobes_) {
-            const auto p    = T(chance(part));
-            const bool last = &part == &lobes_.back();
+        for (std::size_t i = 0; i < lobes_.size(); ++i) {
+            const auto p    = T(chances_[i]);
+            const bool last = i + 1 == lobes_.size();
             if (!(p > 0) || (u.x >= p && !last)) {
                 u.x -= p;
                 continue;
             }
             // what is left of the number that chose is uniform again; rounding may leave a little more than p
             u.x = std::min(u.x / p, largest_below_1);
-            return weighted(part, p, wo, u, mode);
+            return weighted(lobes_[i], p, wo, u, mode);
         }
         return std::nullopt;
     }
@@ -144,17 +146,18 @@ private:
             lobe);
     }
 
-    /// A lobe's share of what all give back at most, the mean of the channels.
-    [[nodiscard]] double chance(const WeightedLobe<T>& part) const {
-        const auto given = [](const WeightedLobe<T>& one) {
-            return double(mean(one.weight)) * double(greatest_albedo(one.lobe));
-        };
+    /// A lobe's chance is its share of what all give back at most, the mean of the channels.
+    void share_out() {
         double sum = 0;
-        for (const auto& other : lobes_) sum += given(other);
-        return sum > 0 ? given(part) / sum : 0;
+        for (const auto& [weight, lobe] : lobes_) {
+            chances_.push_back(double(mean(weight)) * double(greatest_albedo(lobe)));
+            sum += chances_.back();
+        }
+        for (double& chance : chances_) chance = sum > 0 ? chance / sum : 0;
     }
 
     std::vector<WeightedLobe<T>> lobes_;
+    std::vector<double>          chances_;  ///< with which each is drawn
 };
 
 }  // namespace sr
