@@ -4,7 +4,7 @@
 /// nothing, so that a test can ask for either:
 ///     CHECK(breaks_reciprocity(Phong{20.0}) == "");
 ///     CHECK(breaks_energy(Phong{1.0, PhongScale::none}) != "");
-/// For lobes above an opaque surface; deltas have neither f nor pdf, and their laws are about weights.
+/// For lobes above an opaque surface. Deltas have neither f nor pdf: their laws are about weights, in delta_laws.hpp.
 
 #include <fmt/format.h>
 
@@ -85,7 +85,7 @@ template <class B>
 [[nodiscard]] std::string breaks_reciprocity(const B& bsdf) {
     return for_pairs([&](const Direction& wo, const Direction& wi) -> std::string {
         const double there = number(bsdf.f(wo, wi)), back = number(bsdf.f(wi, wo));
-        if (std::abs(there - back) <= 1e-12 * max_or_nan(there, back)) return "";
+        if (std::abs(there - back) <= 1e-12 * max_or_nan(std::abs(there), std::abs(back))) return "";
         return broken("reciprocity", wo, there, back);
     });
 }
@@ -98,23 +98,67 @@ template <class B>
     return sum;
 }
 
+/// The light that a sky sends on to wo, and its error, by sampling.
+/// @param sky  (wi) -> radiance
+template <class B, class Sky>
+[[nodiscard]] Running sampled_light(const B& bsdf, const Direction& wo, const Sky& sky) {
+    Rng     rng{62, 0, 0, 0};
+    Running light;
+    for (int i = 0; i < 50'000; ++i) {
+        const double u = rng.uniform<double>(), v = rng.uniform<double>();
+        const auto   one = bsdf.sample(wo, {u, v}, TransportMode::radiance);
+        light.add(one ? number(one->weight) * sky(one->wi) : 0);
+    }
+    return light;
+}
+
 /// No more light is given back than arrives, and sampling finds as much of it as quadrature.
 template <class B>
 [[nodiscard]] std::string breaks_energy(const B& bsdf) {
     for (const Direction& wo : views()) {
         const double by_quadrature = albedo(bsdf, wo);
         if (!(by_quadrature <= 1 + 1e-6)) return broken("energy", wo, by_quadrature, 1);
-        Rng     rng{62, 0, 0, 0};
-        Running by_sampling;
-        for (int i = 0; i < 50'000; ++i) {
-            const double u = rng.uniform<double>(), v = rng.uniform<double>();
-            const auto   one = bsdf.sample(wo, {u, v}, TransportMode::radiance);
-            by_sampling.add(one ? number(one->weight) : 0);
-        }
-        const double error =
+        const Running by_sampling = sampled_light(bsdf, wo, [](const Direction&) { return 1.0; });
+        const double  error =
             5 * by_sampling.standard_error() + 1e-5;  // the rule's own, where a lobe has a kink
         if (!(std::abs(by_sampling.mean() - by_quadrature) <= error))
             return broken("energy by sampling", wo, by_sampling.mean(), by_quadrature);
+    }
+    return "";
+}
+
+/// A lobe's f as a sum counts it: a delta has none.
+template <class B>
+[[nodiscard]] double f_in_sum(const B& lobe, const Direction& wo, const Direction& wi) {
+    if constexpr (requires { lobe.f(wo, wi); })
+        return number(lobe.f(wo, wi));
+    else
+        return 0;
+}
+
+/// What a sum of two lobes scatters is what each of them does, in f, to 10^-6 of it, and of a sky that is brighter on one
+/// side, by sampling.
+template <class Sum, class First, class Second>
+[[nodiscard]] std::string breaks_linearity(const Sum& sum, double a, const First& first, double b,
+                                           const Second& second) {
+    constexpr double  float_underflow = 1e-37;  // a sum counts in float
+    const std::string of_f = for_pairs([&](const Direction& wo, const Direction& wi) -> std::string {
+        const double of_sum = number(sum.f(wo, wi));
+        const double sum_of = a * f_in_sum(first, wo, wi) + b * f_in_sum(second, wo, wi);
+        return std::abs(of_sum - sum_of) <= 1e-6 * sum_of + float_underflow
+                   ? ""
+                   : broken("linear f", wo, of_sum, sum_of);
+    });
+    if (!of_f.empty()) return of_f;
+    const auto sky = [](const Direction& wi) { return 1.5 + wi.x; };
+    for (const Direction& wo : views()) {
+        const Running whole = sampled_light(sum, wo, sky), one = sampled_light(first, wo, sky),
+                      two   = sampled_light(second, wo, sky);
+        const double sum_of = a * one.mean() + b * two.mean();
+        const double error =
+            5 * (whole.standard_error() + a * one.standard_error() + b * two.standard_error()) + 1e-6;
+        if (!(std::abs(whole.mean() - sum_of) <= error))
+            return broken("linearity by sampling", wo, whole.mean(), sum_of);
     }
     return "";
 }
@@ -223,14 +267,20 @@ template <class B>
     return tried > 100 ? "" : fmt::format("Jacobian: only {} draws came to something", tried);
 }
 
-/// All of them.
+/// The laws of one lobe that it breaks, by name, each with a blank behind it. Not the Jacobian: a sum of lobes has none,
+/// for its number chooses first.
 template <class B>
-[[nodiscard]] std::string breaks_a_law(const B& bsdf) {
-    std::string what;
-    for (const std::string& one : {breaks_positivity(bsdf), breaks_reciprocity(bsdf), breaks_energy(bsdf),
-                                   breaks_normalisation(bsdf), breaks_density(bsdf)})
-        what += one;
-    return what;
+[[nodiscard]] std::string broken_laws(const B& bsdf) {
+    std::string names;
+    const auto  ask = [&](const char* name, const std::string& what) { names += what.empty() ? "" : name; };
+    ask("positivity ", breaks_positivity(bsdf));
+    ask("reciprocity ", breaks_reciprocity(bsdf));
+    ask("energy ", breaks_energy(bsdf));
+    const std::string normalisation = breaks_normalisation(bsdf);
+    ask("normalisation ", normalisation);
+    if (normalisation.empty())
+        ask("density ", breaks_density(bsdf));  // there is nothing to compare otherwise
+    return names;
 }
 
 }  // namespace sr::test
