@@ -4,10 +4,9 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <concepts>
-#include <limits>
+#include <cstddef>
 #include <optional>
 #include <stdexcept>
 #include <type_traits>
@@ -21,6 +20,7 @@
 #include "material/mirror.hpp"
 #include "material/phong.hpp"
 #include "radiometry/spectrum.hpp"
+#include "sampling/choice.hpp"
 
 namespace sr {
 
@@ -88,23 +88,13 @@ public:
     /// Draws from one of the lobes, each as often as its share of the light.
     [[nodiscard]] std::optional<BsdfSample<T, Spectrum>> sample(const Vector3<T>& wo, Vector2<T> u,
                                                                 TransportMode mode) const {
-        for (std::size_t i = 0; i < lobes_.size(); ++i) {
-            const auto p    = T(chances_[i]);
-            const bool last = i + 1 == lobes_.size();
-            if (!(p > 0) || (u.x >= p && !last)) {
-                u.x -= p;
-                continue;
-            }
-            // what is left of the number that chose is uniform again; rounding may leave a little more than p
-            u.x = std::min(u.x / p, largest_below_1);
-            return weighted(lobes_[i], p, wo, u, mode);
-        }
-        return std::nullopt;
+        const auto one = choose(
+            chances_, [](double chance) { return T(chance); }, u.x);
+        if (!one) return std::nullopt;
+        return weighted(lobes_[one->index], one->chance, wo, {one->u, u.y}, mode);
     }
 
 private:
-    static constexpr T largest_below_1 = 1 - std::numeric_limits<T>::epsilon() / 2;
-
     /// What one lobe, chosen with probability p, draws. Of lobes that spread light the whole sum's f and pdf count.
     [[nodiscard]] std::optional<BsdfSample<T, Spectrum>> weighted(const WeightedLobe<T>& part, T p,
                                                                   const Vector3<T>& wo, Vector2<T> u,
