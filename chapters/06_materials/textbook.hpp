@@ -37,11 +37,4 @@ template <std::floating_point T>
     return rho / std::numbers::pi_v<T> * wi.z / T(pdf_cosine_hemisphere(wi).value);
 }
 
-/// Snell's law without a question: a direction whose z is NaN where light is reflected totally.
-template <std::floating_point T>
-[[nodiscard]] Vector3<T> textbook_refract(const Vector3<T>& w, T eta) {
-    const T k = 1 - (1 - w.z * w.z) / (eta * eta);
-    return {-w.x / eta, -w.y / eta, -std::sqrt(k)};
-}
-
 }  // namespace sr

@@ -114,22 +114,6 @@ TEST_CASE("E7: scaled to an albedo of 1 at normal incidence, the lobe darkens fr
     }
 }
 
-TEST_CASE("E8: about the half vector it takes another factor, and the popular one is too large") {
-    for (const auto& [n, exact, over] : {std::tuple{1.0, 0.34961552679192808, 1.0242640687119285},
-                                         {10, 0.66636835986139356, 1.0747767857142857},
-                                         {50, 2.2345353996783236, 1.0327635333791078},
-                                         {200, 8.1980711186635287, 1.0095127159774801}}) {
-        CAPTURE(n);
-        // at normal incidence n.h is the cosine of half the angle to wi
-        double albedo = 0;
-        for (const auto& [z, weight] : gauss_legendre(128, 0, 1))
-            albedo += weight * 2 * pi * std::pow(std::sqrt((1 + z) / 2), n) * z;
-        CHECK(near(1 / albedo, exact));
-        CHECK(near((n + 2) * (n + 4) / (8 * pi * (std::pow(2, -n / 2) + n)), exact));
-        CHECK(near((n + 8) / (8 * pi) * albedo, over));
-    }
-}
-
 TEST_CASE("E9: Phong's lobe as a density, its mean cosine and what of it falls below the horizon") {
     constexpr int   draws = 200'000;
     const Phong     lobe(10.0);
@@ -210,12 +194,9 @@ TEST_CASE("Phong: an impossible exponent is refused by name and value") {
     CHECK_NOTHROW(Phong<double>{0});
 }
 
-TEST_CASE("F3: Brewster's angle, the critical angle and Snell's window") {
-    for (const auto& [n, brewster, critical] : {std::tuple{1.5, 56.309932474020213, 41.810314895778598},
-                                                {4.0 / 3, 53.130102354155979, 48.590377890729141}}) {
+TEST_CASE("F3: at the critical angle total reflection begins, and Snell's window ends") {
+    for (const auto& [n, critical] : {std::pair{1.5, 41.810314895778598}, {4.0 / 3, 48.590377890729141}}) {
         CAPTURE(n);
-        CHECK(near(degrees(std::atan(n)), brewster, 1e-14));
-        CHECK(fresnel(std::cos(radians(brewster)), n).p <= 1e-28);
         CHECK(fresnel(std::cos(radians(critical - 1e-9)), 1 / n).mean() < 1);
         CHECK(fresnel(std::cos(radians(critical + 1e-9)), 1 / n).mean() == 1);
         CHECK(refract(at_angle(critical - 1e-9), 1 / n).has_value());
@@ -321,23 +302,6 @@ TEST_CASE("H1, H2, H3: moments of the hemisphere's samplers, and what each makes
         CHECK(holds(cosine[k], 2 * pi / (powers[k] + 1)));
         CHECK(near(uniform[k].variance(), known_uniform[k], 0.05));
         CHECK(near(cosine[k].variance(), known_cosine[k], 0.05));
-    }
-}
-
-TEST_CASE(
-    "B19: what a sphere's light is for a surface comes closer to L times its solid angle with distance") {
-    for (const auto& [d, expected] :
-         {std::pair{5.0, 0.98989794855663562}, {50.0, 0.9998999899979995}, {500.0, 0.999998999999}}) {
-        CAPTURE(d);
-        // the sphere covers the directions with sin(theta) <= 1 / d, with L = 1
-        const double edge = std::sqrt((1 - 1 / d) * (1 + 1 / d)), height = 1 / (d * d) / (1 + edge);
-        double       E = 0, omega = 0;
-        for (const auto& [below, weight] : gauss_legendre(8, 0, height)) {
-            E += weight * 2 * pi * (1 - below);
-            omega += weight * 2 * pi;
-        }
-        CHECK(near(E, pi / (d * d)));
-        CHECK(near(E / omega, expected));
     }
 }
 
