@@ -1,6 +1,6 @@
 #pragma once
 /// @file albedo_race.hpp
-/// Section 6.7: the albedo of one lobe, by quadrature and by three ways to draw directions; its error against time.
+/// Section 6.7: albedos of lobes, by quadrature and by drawing directions; their error against time.
 
 #include <cmath>
 #include <functional>
@@ -10,6 +10,8 @@
 #include <vector>
 
 #include "course/chapter.hpp"
+#include "material/dielectric.hpp"
+#include "material/diffuse.hpp"
 #include "material/phong.hpp"
 #include "material/phong_albedo.hpp"
 #include "reflected.hpp"
@@ -30,10 +32,10 @@ struct AlbedoLap {
     double                               error_se;
 };
 
-/// The mean of `of(u)` for n pairs of numbers that belong to a repeat.
+/// The mean of `of(u)` for n pairs of numbers that belong to a curve and a repeat.
 template <class Of>
-[[nodiscard]] double mean_of(std::uint64_t repeat, int n, const Of& of) {
-    Rng    rng{6, std::int64_t(repeat), n, 0};
+[[nodiscard]] double mean_of(std::uint64_t curve, std::uint64_t repeat, int n, const Of& of) {
+    Rng    rng{curve, std::int64_t(repeat), n, 0};
     double sum = 0;
     for (int i = 0; i < n; ++i) {
         const double u = rng.uniform<double>(), v = rng.uniform<double>();
@@ -42,34 +44,19 @@ template <class Of>
     return sum / n;
 }
 
-/// An estimate of the lobe's albedo from n directions, drawn in one of three ways.
-template <class Lobe>
-[[nodiscard]] double sampled_albedo(const std::string& way, const Lobe& lobe, const Vector3<double>& wo,
-                                    std::uint64_t repeat, int n) {
-    if (way == "lobe")
-        return mean_of(repeat, n, [&](Vector2<double> u) {
-            const auto one = lobe.sample(wo, u, TransportMode::radiance);
-            return one ? one->weight : 0;
-        });
-    const bool uniform = way == "uniform";
-    return mean_of(repeat, n, [&](Vector2<double> u) {
-        const auto   wi = uniform ? sample_uniform_hemisphere(u) : sample_cosine_hemisphere(u);
-        const double p  = uniform ? pdf_uniform_hemisphere(wi).value : pdf_cosine_hemisphere(wi).value;
-        return lobe.f(wo, wi) * wi.z / p;
-    });
-}
-
 /// Estimates of n directions each, whatever the quality: their errors are in the text. Small ones vary most.
 [[nodiscard]] inline int repeats_of(int n) {
     return (1 << 19) / n;
 }
 
 /// All efforts of one way to draw.
-template <class Lobe>
-void add_sampled(std::vector<AlbedoLap>& laps, const std::string& way, const Lobe& lobe,
-                 const Vector3<double>& wo, double truth, int threads) {
+/// @param curve  number of the way: with the same random numbers, all of them would err alike
+/// @param of     (u) -> what the direction drawn with u counts
+template <class Of>
+void add_sampled(std::vector<AlbedoLap>& laps, const std::string& way, std::uint64_t curve, double truth,
+                 int threads, const Of& of) {
     for (int n = 16; n <= 4096; n *= 4) {
-        const auto once = [=](std::uint64_t repeat) { return sampled_albedo(way, lobe, wo, repeat, n); };
+        const auto          once = [=](std::uint64_t repeat) { return mean_of(curve, repeat, n, of); };
         std::vector<double> squares(std::size_t(repeats_of(n)));
         for_each_pixel(repeats_of(n), 1, {.threads = threads}, [&](int x, int) {
             const double off        = once(std::uint64_t(x)) - truth;
@@ -119,15 +106,25 @@ inline void chart_albedo(course::Chart chart, const std::vector<AlbedoLap>& laps
             .columns = columns};
 }
 
-/// The exponent with which the error of one way falls as its effort grows.
+/// The exponent with which the error of one way falls as its effort grows. Its own error comes from those of the
+/// points: five are too few to show it by their scatter.
 [[nodiscard]] inline Slope slope_of(const std::vector<AlbedoLap>& laps, const std::string& name) {
     std::vector<double> effort, error;
+    Running             place;
     for (const auto& lap : laps) {
         if (lap.name != name) continue;
         effort.push_back(lap.effort);
         error.push_back(lap.error);
+        place.add(std::log(lap.effort));
     }
-    return log_log_slope(effort, error);
+    double squares = 0, S_xx = 0;
+    for (const auto& lap : laps) {
+        if (lap.name != name) continue;
+        const double dx = std::log(lap.effort) - place.mean(), dy = lap.error_se / lap.error;
+        squares += dx * dx * dy * dy;
+        S_xx += dx * dx;
+    }
+    return {log_log_slope(effort, error).value, std::sqrt(squares) / S_xx};
 }
 
 /// The lap of a way at an effort.
@@ -140,13 +137,41 @@ inline void chart_albedo(course::Chart chart, const std::vector<AlbedoLap>& laps
 }
 
 /// The race of Phong's lobe with this exponent, seen from 45 degrees.
-[[nodiscard]] inline std::vector<AlbedoLap> race_albedo(double e, int finest, int threads) {
+/// @param curve  number of the first of its ways
+[[nodiscard]] inline std::vector<AlbedoLap> race_phong(double e, int finest, std::uint64_t curve,
+                                                       int threads) {
     const Phong            lobe(e);
     const Vector3<double>  wo    = at_angle(-45);
     const double           truth = lobe.f({0, 0, 1}, {0, 0, 1}) * phong_albedo(e, radians(45));
     std::vector<AlbedoLap> laps;
-    for (const char* way : {"uniform", "cosine", "lobe"}) add_sampled(laps, way, lobe, wo, truth, threads);
+    add_sampled(laps, "uniform", curve, truth, threads, [=](Vector2<double> u) {
+        const auto wi = sample_uniform_hemisphere(u);
+        return lobe.f(wo, wi) * wi.z / pdf_uniform_hemisphere(wi).value;
+    });
+    add_sampled(laps, "cosine", curve + 1, truth, threads, [=](Vector2<double> u) {
+        const auto wi = sample_cosine_hemisphere(u);
+        return lobe.f(wo, wi) * wi.z / pdf_cosine_hemisphere(wi).value;
+    });
+    add_sampled(laps, "lobe", curve + 2, truth, threads, [=](Vector2<double> u) {
+        const auto one = lobe.sample(wo, u, TransportMode::radiance);
+        return one ? one->weight : 0;
+    });
     add_quadrature(laps, lobe, wo, truth, finest);
+    return laps;
+}
+
+/// The diffuse lobe, drawn uniformly, and glass seen from inside under 30 degrees, one of its two ways drawn.
+[[nodiscard]] inline std::vector<AlbedoLap> race_others(std::uint64_t curve, int threads) {
+    std::vector<AlbedoLap> laps;
+    add_sampled(laps, "diffuse, uniform", curve, 1, threads, [](Vector2<double> u) {
+        const auto wi = sample_uniform_hemisphere(u);
+        return Diffuse<double>{}.f({0, 0, 1}, wi) * wi.z / pdf_uniform_hemisphere(wi).value;
+    });
+    const Dielectric<double> glass{1.5};
+    const Vector3<double>    wo   = -at_angle(30);
+    const auto               both = glass.branches(wo, TransportMode::radiance);
+    add_sampled(laps, "glass, one way", curve + 1, both.reflected.weight + both.refracted->weight, threads,
+                [=](Vector2<double> u) { return glass.sample(wo, u, TransportMode::radiance)->weight; });
     return laps;
 }
 

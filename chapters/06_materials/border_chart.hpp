@@ -16,7 +16,7 @@ namespace sr {
 /// For each exponent, the reflectance with which Phong's lobe as it is has an albedo of 1, seen under four angles.
 inline void chart_border(course::Chapter& chapter) {
     auto chart =
-        chapter.chart("border", "Above a curve, $\\rho\\,(\\mathbf{r}\\cdot\\omega_i)^e$ makes light",
+        chapter.chart("border", "Above a curve, $\\rho\\,\\max(0, \\mathbf{r}\\cdot\\omega_i)^e$ makes light",
                       {.x = "exponent $e$", .y = "reflectance $\\rho$"});
     for (const double theta : {0.0, 45.0, 60.0, 75.0}) {
         const auto   excess = [&](double e) { return phong_albedo(e, radians(theta)) - 1; };

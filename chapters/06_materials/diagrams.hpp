@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <string>
 #include <vector>
 
 #include "lobe_plots.hpp"
@@ -14,10 +15,24 @@
 
 namespace sr {
 
+/// An arc about a point between two angles [degrees] to the upright, with its name beside it.
+inline void draw_arc(course::Diagram diagram, course::Point at, double radius, double from, double to,
+                     const std::string& name) {
+    const auto toward = [&](double angle, double r) {
+        return at + r * course::Point{std::sin(radians(angle)), std::cos(radians(angle))};
+    };
+    std::vector<course::Point> arc;
+    constexpr int              steps = 20;
+    for (int i = 0; i <= steps; ++i) arc.push_back(toward(from + (to - from) * i / steps, radius));
+    diagram.line(arc, {course::Ink::grey, course::Weight::thin});
+    diagram.label(toward((from + to) / 2, radius + 0.25), name, course::Anchor::centre, course::Ink::grey);
+}
+
 /// Light in a narrow cone, the irradiance that it makes, and the radiance that leaves: equations (6.1) to (6.3).
 inline void draw_definition(course::Diagram diagram) {
     using course::Ink;
     using course::Point;
+    using course::Weight;
     const auto toward = [](double angle, double r) {
         return r * Point{std::sin(radians(angle)), std::cos(radians(angle))};
     };
@@ -25,18 +40,21 @@ inline void draw_definition(course::Diagram diagram) {
     diagram.line({-0.3, 0}, {0.3, 0}, {Ink::black, course::Weight::thick});
     diagram.label({0, -0.42}, "$dA$", course::Anchor::centre);
     diagram.polygon({{0, 0}, toward(45, 2.6), toward(57, 2.6)}, {Ink::amber}, 0.3);
-    diagram.arrow(toward(51, 2.5), toward(51, 0.25), {Ink::amber, course::Weight::thick});
-    diagram.label(toward(51, 2.6) + Point{0.25, 0.1}, "$L_i$ within $d\\omega_i$", course::Anchor::left,
-                  Ink::amber);
-    diagram.arrow({0, 0}, toward(-38, 2.5), {Ink::blue, course::Weight::thick});
-    diagram.label(toward(-38, 2.5) + Point{-0.15, 0.2}, "$dL_o = f_r\\, dE_i$", course::Anchor::right,
-                  Ink::blue);
+    const Point beside_i = 0.42 * toward(141, 1), beside_o = 0.3 * toward(-128, 1);
+    diagram.arrow(toward(51, 2.6) + beside_i, toward(51, 0.8) + beside_i, {Ink::amber, Weight::thick});
+    diagram.label(toward(51, 2.6) + beside_i + Point{0.15, 0.0}, "$L_i$ within $d\\omega_i$",
+                  course::Anchor::left, Ink::amber);
+    diagram.arrow(toward(-38, 0.5) + beside_o, toward(-38, 2.4) + beside_o, {Ink::blue, Weight::thick});
+    diagram.label(toward(-38, 2.4) + beside_o + Point{-0.15, 0.1}, "$dL_o = f_r\\, dE_i$",
+                  course::Anchor::right, Ink::blue);
+    diagram.arrow({0, 0}, toward(51, 2.1));
+    diagram.label(toward(51, 2.32), "$\\omega_i$");
+    diagram.arrow({0, 0}, toward(-38, 2.1));
+    diagram.label(toward(-38, 2.32), "$\\omega_o$", course::Anchor::centre);
     diagram.arrow({0, 0}, {0, 2.3}, {Ink::grey});
     diagram.label({0, 2.5}, "$\\mathbf{n}$", course::Anchor::centre, Ink::grey);
-    std::vector<Point> arc;
-    for (double angle = 0; angle <= 51; angle += 3) arc.push_back(toward(angle, 0.95));
-    diagram.line(arc, {Ink::grey, course::Weight::thin});
-    diagram.label(toward(24, 1.18), "$\\theta_i$", course::Anchor::centre, Ink::grey);
+    draw_arc(diagram, {0, 0}, 0.95, 0, 51, "$\\theta_i$");
+    draw_arc(diagram, {0, 0}, 0.95, -38, 0, "$\\theta_o$");
     diagram.label({1.0, -0.42}, "$dE_i = L_i\\,\\cos\\theta_i\\,d\\omega_i$", course::Anchor::left,
                   Ink::vermilion);
 }
@@ -98,13 +116,17 @@ inline void draw_interface(course::Diagram diagram) {
     diagram.arrow(toward(-55, 2.3), {0, 0}, {Ink::amber, Weight::thick});
     diagram.arrow({0, 0}, toward(55, 2.3), {Ink::vermilion, Weight::thin});
     diagram.arrow({0, 0}, toward(180 - refracted, 2.3), {Ink::blue, Weight::thick});
-    diagram.label({-0.35, 0.85}, "$\\theta_i$", course::Anchor::centre, Ink::grey);
-    diagram.label({0.33, -1.15}, "$\\theta_t$", course::Anchor::centre, Ink::grey);
+    draw_arc(diagram, {0, 0}, 0.85, -55, 0, "$\\theta_i$");
+    draw_arc(diagram, {0, 0}, 1.0, 180 - refracted, 180, "$\\theta_t$");
     diagram.label({1.35, 1.45}, "$R$", course::Anchor::centre, Ink::vermilion);
     diagram.label({1.35, -1.15}, "$1 - R$", course::Anchor::left, Ink::blue);
     const Point x{4.8, 0};
     diagram.arrow(x + toward(-125, 2.3), x, {Ink::amber, Weight::thick});
     diagram.arrow(x, x + toward(125, 2.3), {Ink::vermilion, Weight::thick});
+    const double critical = 180 + degrees(std::asin(1 / 1.5));
+    diagram.line(x, x + toward(critical, 2.3), {Ink::grey, Weight::thin, true});
+    draw_arc(diagram, x, 1.2, 180, critical, "$\\theta_c$");
+    draw_arc(diagram, x, 1.75, 180, 235, "$\\theta_i$");
     diagram.label(x + Point{1.2, -0.5}, "$R = 1$", course::Anchor::left, Ink::vermilion);
     diagram.label({-2.5, 0.25}, "air, 1", course::Anchor::left, Ink::grey);
     diagram.label({-2.5, -0.28}, "glass, $n$", course::Anchor::left, Ink::grey);

@@ -52,7 +52,7 @@ template <class Lobe>
 
 /// The largest albedo from 0 to 85 degrees.
 template <class Lobe>
-[[nodiscard]] double largest_albedo(const Lobe& lobe, const Rule& rule) {
+[[nodiscard]] double largest_albedo(const Lobe& lobe, const HemisphereRule& rule) {
     double largest = 0;
     for (double theta = 0; theta <= 85; theta += 5)
         largest = max_or_nan(largest, albedo(lobe, at_angle(theta), rule));
@@ -64,7 +64,7 @@ struct Linearity {
     double of_sum, sum_of;
 };
 
-[[nodiscard]] inline Linearity linearity(const Rule& rule) {
+[[nodiscard]] inline Linearity linearity(const HemisphereRule& rule) {
     const ClearSky        sky{at_angle(45)};
     const auto            wo = at_angle(-60);
     const Phong<double>   glossy(20);

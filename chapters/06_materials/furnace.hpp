@@ -41,7 +41,7 @@ private:
         const double c = Phong<double>(e, scale).f({0, 0, 1}, {0, 0, 1});
         return AlbedoTable([=](double theta) { return c * phong_albedo(e, radians(theta)); });
     };
-    const Rule            rule = hemisphere_rule(64);
+    const HemisphereRule  rule = hemisphere_rule(64);
     const DividedByLarger larger{Phong{10.0}};
     return {AlbedoTable([](double) { return 1; }), phong(1, PhongScale::none), phong(10, PhongScale::density),
             phong(10, PhongScale::albedo),

@@ -28,7 +28,10 @@ inline void chart_photons(course::Chapter& chapter, const Dielectric<double>& gl
     }
     for (const double theta : angles_from_inside(58))
         chart.add("weight of a camera's ray", theta, seen_from_inside(glass, theta), {0.0});
+    chart.as_points("photons, counted");
+    chart.as_line("weight of a camera's ray");
     chart.caption(
+        "Each dot is the mean over a band. "
         "Photons are not scaled, and yet fill the cone of 41.8 degrees with $(1 - R)\\,n^2$: what a camera's "
         "ray is "
         "scaled by.");

@@ -12,11 +12,11 @@
 
 namespace sr {
 
-using Rule = std::vector<WeightedDirection>;
+using HemisphereRule = std::vector<WeightedDirection>;
 
 /// Irradiance of a surface under a sky, (6.1) summed over its directions.
 template <class Sky>
-[[nodiscard]] double irradiance(const Sky& sky, const Rule& rule) {
+[[nodiscard]] double irradiance(const Sky& sky, const HemisphereRule& rule) {
     double E = 0;
     for (const auto& [wi, weight] : rule) E += sky(wi) * wi.z * weight;
     return E;
@@ -25,7 +25,7 @@ template <class Sky>
 /// Radiance that leaves towards wo under a sky. A delta can't be evaluated: its sample is the whole integral.
 template <class Lobe, class Sky>
 [[nodiscard]] double reflected(const Lobe& lobe, const Sky& sky, const Vector3<double>& wo,
-                               const Rule& rule) {
+                               const HemisphereRule& rule) {
     if constexpr (DeltaLobe<Lobe, double>) {
         const auto one = lobe.sample(wo, {0.5, 0.5}, TransportMode::radiance);
         return one ? one->weight * sky(one->wi) : 0;
@@ -39,7 +39,7 @@ template <class Lobe, class Sky>
 
 /// The share of the light from wo that is given back: by reciprocity, what leaves towards wo under a sky of 1.
 template <class Lobe>
-[[nodiscard]] double albedo(const Lobe& lobe, const Vector3<double>& wo, const Rule& rule) {
+[[nodiscard]] double albedo(const Lobe& lobe, const Vector3<double>& wo, const HemisphereRule& rule) {
     return reflected(
         lobe, [](const Vector3<double>&) { return 1.0; }, wo, rule);
 }

@@ -13,7 +13,7 @@
 namespace sr {
 
 /// What surfaces of albedo 1 show of a sky that is bright in one half, along the views that cross the step.
-inline void chart_step_sky(course::Chapter& chapter, const Rule& rule) {
+inline void chart_step_sky(course::Chapter& chapter, const HemisphereRule& rule) {
     auto       chart = chapter.chart("step_sky", "A sky of two halves, as seen in a surface",
                                      {.x = "angle of view [deg]", .y = "radiance that leaves [that of the sky]"});
     const auto curve = [&](const std::string& name, const auto& lobe) {
