@@ -36,8 +36,7 @@ void Progress::tick(int steps) {
 }
 
 void Progress::tick_part(int done, int of) {
-    const auto steps_of = [&](std::int64_t parts) { return int(steps_ * parts / of); };
-    tick(steps_of(done) - steps_of(done - 1));
+    tick(steps_of_part(steps_, done, of));
 }
 
 void Progress::draw(int done, double elapsed) {
@@ -46,6 +45,11 @@ void Progress::draw(int done, double elapsed) {
     drawn_ = true;
     fmt::print(stderr, "\r\x1b[K{}", line);
     std::fflush(stderr);
+}
+
+int steps_of_part(int steps, int part, int of) {
+    const auto up_to = [&](std::int64_t parts) { return int(steps * parts / of); };
+    return up_to(part) - up_to(part - 1);
 }
 
 std::string progress_line(const std::string& what, double fraction, double elapsed) {

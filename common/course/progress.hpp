@@ -40,6 +40,10 @@ private:
     std::atomic<bool>         drawn_ = false;
 };
 
+/// How many of so many steps are done with the `part`-th of equal parts: all with the last, whatever is left over.
+/// @pre 1 <= part <= of
+[[nodiscard]] int steps_of_part(int steps, int part, int of);
+
 /// What the line says: "rendering  42 %, 13 s left". Empty while the whole is estimated at under two seconds.
 [[nodiscard]] std::string progress_line(const std::string& what, double fraction, double elapsed);
 

@@ -166,6 +166,21 @@ TEST_CASE("a claim holds within its tolerance, and NaN fails") {
           "claim,expected,measured,error,tolerance,pass\n\"1.3 a, b\",2,1.5,0.5,0.25,no\n");
 }
 
+TEST_CASE(
+    "parts of a progress add up to all of its steps, also where these are few, or too many for an int to "
+    "count") {
+    for (const auto& [steps, parts] : {std::pair{100, 7}, {3, 10}, {1, 1}, {2'000'000'000, 3000}}) {
+        std::int64_t done = 0;
+        for (int part = 1; part <= parts; ++part) {
+            const int now = steps_of_part(steps, part, parts);
+            CHECK(now >= 0);
+            CHECK(now <= steps / parts + 1);
+            done += now;
+        }
+        CHECK(done == steps);
+    }
+}
+
 TEST_CASE("progress is shown for what takes over two seconds, with the time left") {
     CHECK(progress_line("rendering", 0.5, 0.9) == "");   // 1.8 s in all
     CHECK(progress_line("rendering", 0.01, 0.1) == "");  // too early to tell
