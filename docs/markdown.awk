@@ -46,7 +46,8 @@ function links_of_the_site(text,    result, link, words, plain, target) {
         sub(/\.md#.*/, ".md", target)
         plain = words
         gsub(/`/, "", plain)  # Doxygen shows ticks in a link as they are
-        if (target ~ /\.hpp$/) link = "[" plain "](@ref " header(target) ")"
+        if (target ~ /(^|\/)(tests|exercises|solutions)\//) link = words  # those are no pages
+        else if (target ~ /\.hpp$/) link = "[" plain "](@ref " header(target) ")"
         else if (target ~ /:\/\/|\.md$|\.(svg|png)$/) link = "[" plain "](" target ")"
         else link = words
         result = result substr(text, 1, RSTART - 1) link

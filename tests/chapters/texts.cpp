@@ -188,16 +188,18 @@ TEST_CASE("the site's filter translates formulas, pictures and links, and leaves
     const ScratchFolder scratch{"texts"};
     std::ofstream(scratch.path / "text.md")
         << "a $x^2$ in `$HOME` [h](../../common/math/frame.hpp) [`f`](../../common/x.hpp) [`m`](Makefile) "
-           "[l](LICENSE) [p](../02/README.md#21-a)\n"
+           "[l](LICENSE) [p](../02/README.md#21-a) [`t`](../../tests/near.hpp) "
+           "[e](../../exercises/01-a/README.md)\n"
            "$$ E = \\pi L. \\tag{1.1} $$\n"
            "![Figure $a$](../../docs/pictures/01_a.svg) [![b](../docs/pictures/01_b.svg)](c.md)\n"
            "```sh\necho $A $B ![x](../../docs/pictures/y.svg)\n```\n";
     const Ended ended = run_shell(
         scratch.path, "awk -f '" + (source_folder / "docs" / "markdown.awk").string() + "' text.md");
     CHECK(ended.code == 0);
-    CHECK(ended.out ==
-          "a \\f$x^2\\f$ in `$HOME` [h](@ref math/frame.hpp) [f](@ref x.hpp) `m` l [p](../02/README.md)\n"
-          "\\f[ E = \\pi L. \\tag{1.1} \\f]\n"
-          "![Figure a](01_a.svg) ![b](01_b.svg)\n"
-          "```sh\necho $A $B ![x](../../docs/pictures/y.svg)\n```\n");
+    CHECK(
+        ended.out ==
+        "a \\f$x^2\\f$ in `$HOME` [h](@ref math/frame.hpp) [f](@ref x.hpp) `m` l [p](../02/README.md) `t` e\n"
+        "\\f[ E = \\pi L. \\tag{1.1} \\f]\n"
+        "![Figure a](01_a.svg) ![b](01_b.svg)\n"
+        "```sh\necho $A $B ![x](../../docs/pictures/y.svg)\n```\n");
 }
