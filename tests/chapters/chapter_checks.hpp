@@ -9,6 +9,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <set>
 #include <string>
@@ -82,12 +83,12 @@ public:
 
     /// A chart's data begin with these columns and have so many rows at least.
     course::Rows check_chart(const std::string& name, const std::vector<std::string>& columns,
-                             std::size_t rows) const {
+                             int rows) const {
         INFO(name);
         const course::Rows chart = course::read_csv(folder("one") / (name + ".csv"));
         REQUIRE(chart.header.size() >= columns.size());
         CHECK(std::equal(columns.begin(), columns.end(), chart.header.begin()));
-        CHECK(chart.rows.size() >= rows);
+        CHECK(std::ssize(chart.rows) >= rows);
         return chart;
     }
 

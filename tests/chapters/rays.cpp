@@ -25,7 +25,7 @@ TEST_CASE("chapter 1: claims and text agree, figures have their data, renders do
     runs.check_claims({0.035, 0.025, 0.0125, 2.44, 1e-5, 1e-6, 261'632, 16'256, 6e4, 1e5});
     runs.check_renders(6);
 
-    for (const auto& [name, rows] : {std::pair{std::string("triangles"), 4U * 8}, {"pixels", 4U * 4}}) {
+    for (const auto& [name, rows] : {std::pair{std::string("triangles"), 4 * 8}, {"pixels", 4 * 4}}) {
         const course::Rows chart = runs.check_chart(name, speed_accuracy_columns, rows);
         for (const auto& row : chart.rows) {
             CHECK(row[2].number() > 0);

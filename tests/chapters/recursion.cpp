@@ -19,9 +19,9 @@ TEST_CASE("chapter 7: claims and text agree, figures have their data, renders do
             CHECK(row[2].number() > 0);
     runs.check_chart("aberration", {"series"}, 40);
     runs.check_chart("rainbow_angles", {"series"}, 60);
-    runs.check_chart("drift", {"series", "bounces"}, 3U * 6);
-    runs.check_chart("border", {"series", "distance from the border [rad]"}, 2U * 11);
-    runs.check_chart("inside_glass", {"series", "radius of the ball [length units]"}, 2U * 11);
+    runs.check_chart("drift", {"series", "bounces"}, 3 * 6);
+    runs.check_chart("border", {"series", "distance from the border [rad]"}, 2 * 11);
+    runs.check_chart("inside_glass", {"series", "radius of the ball [length units]"}, 2 * 11);
     for (const std::string drawing : {"tree", "water", "prism", "ball_lens", "hollow_mirror", "rainbow"})
         runs.check_chart(drawing, {"shape"}, 20);
     runs.check_renders(15);

@@ -13,10 +13,10 @@ TEST_CASE("chapter 2: claims and text agree, figures have their data, renders do
     runs.check_claims({1e-9, 1e-5, 2e-5, 1e-4, 1e-3, 0.3, 1e4, 1e5, 1e7, 1e9});
 
     for (const std::string chart : {"sphere_at_a_distance", "sphere_t_error"})
-        runs.check_chart(chart, {"series", "distance [radii]"}, 4U * 9);
-    runs.check_chart("planet", {"series", "radius of the planet"}, 5U * 7);
+        runs.check_chart(chart, {"series", "distance [radii]"}, 4 * 9);
+    runs.check_chart("planet", {"series", "radius of the planet"}, 5 * 7);
     for (const std::string chart : {"leaving_self_hits", "leaving_lost_hits"})
-        runs.check_chart(chart, {"series", "radius of the sphere"}, 3U * 11);
+        runs.check_chart(chart, {"series", "radius of the sphere"}, 3 * 11);
     runs.check_chart("steps_that_miss", {"series"}, 10);
     runs.check_chart("normals", {"series"}, 40);
     for (const std::string race : {"methods", "methods_t", "methods_metaballs", "normals_speed"}) {
