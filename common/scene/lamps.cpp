@@ -68,8 +68,8 @@ std::vector<PointLight> lights_of_lamps(const Scene& scene) {
     std::vector<PointLight> lights;
     for (const auto& [of, lamp] : lamps) {
         if (lamp.area > 0)
-            lights.push_back(
-                {lamp.moment / lamp.area, float(lamp.silhouette()) * scene.materials[of.first].emission});
+            lights.emplace_back(lamp.moment / lamp.area,
+                                float(lamp.silhouette()) * scene.materials[of.first].emission);
     }
     return lights;
 }
