@@ -96,7 +96,10 @@ void print_closing(const std::vector<Figure>& figures, const fs::path& folder, c
 
 }  // namespace
 
-Chapter::Chapter(std::string name, Options options) : name_{std::move(name)}, options_{std::move(options)} {
+Chapter::Chapter(std::string name, std::string_view title, Options options)
+    : name_{std::move(name)},
+      heading_{fmt::format("{} {}", std::stoi(name_), title)},
+      options_{std::move(options)} {
     prepare(options_.out, folder());
     on_interrupt(folder(), last_words(name_, 0, folder()));
 }
@@ -162,10 +165,10 @@ bool Chapter::finish() {
     write_csv(folder() / "claims.csv", to_rows(claims_));
     write_csv(folder() / "claims_shown.csv", to_table(claims_));
     const std::vector<std::string> old = outdated(folder(), figures_);
-    write_captions(folder(), figures_);
-    write_index(options_.out);
-    for (const std::string& file : old) fs::remove(folder() / file);  // last: until here pages show them
+    write_captions(folder(), heading_, figures_);
     print_claims(claims_);
+    for (const std::string& left_out : write_index(options_.out)) note(left_out);
+    for (const std::string& file : old) fs::remove(folder() / file);  // last: until here pages show them
     print_closing(figures_, folder(), options_.out / "index.html");
     if (!old.empty()) fmt::print("removed, as older than their data: {}\n", fmt::join(old, ", "));
     return std::all_of(claims_.begin(), claims_.end(), [](const Claim& claim) { return claim.pass(); });
@@ -203,7 +206,7 @@ int run(int argc, const char* const* argv, std::string_view name, std::string_vi
     const Parsed parsed = parse_options(argc, argv, name, title, defaults);
     if (!parsed.options) return parsed.exit_code;
     try {
-        Chapter chapter{std::string{name}, *parsed.options};
+        Chapter chapter{std::string{name}, title, *parsed.options};
         fmt::print("{}\n", emphasise(title, Emphasis::strong));
         lecture(chapter);
         return chapter.finish() ? 0 : claim_failed;

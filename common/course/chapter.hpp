@@ -30,7 +30,9 @@ namespace sr::course {
 /// A chapter in progress: what the person asked for, and what has been said, charted and claimed so far.
 class Chapter {
 public:
-    Chapter(std::string name, Options options);
+    /// @param name   of its program and of its folder, the number first: "01_rays"
+    /// @param title  "Rays"
+    Chapter(std::string name, std::string_view title, Options options);
 
     [[nodiscard]] const Options& options() const { return options_; }
 
@@ -67,6 +69,7 @@ private:
     void write(const Diagram& diagram);
 
     std::string              name_;
+    std::string              heading_;  ///< "1 Rays"
     Options                  options_;
     std::vector<Chart>       charts_;
     std::vector<Diagram>     diagrams_;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <stdexcept>
 
 #include "course/claim.hpp"
 #include "course/csv.hpp"
@@ -81,8 +82,10 @@ std::string card(const std::string& chapter, const Figure& figure) {
 
 std::string claims_table(const fs::path& csv) {
     if (!fs::exists(csv)) return "";
-    const Rows  claims = read_csv(csv);
-    std::string table  = "<div class=\"claims\"><table>\n<tr>";
+    const Rows claims = read_csv(csv);
+    if (claims.header != to_rows({}).header)
+        throw std::runtime_error(fmt::format("{} is no table of claims", csv.string()));
+    std::string table = "<div class=\"claims\"><table>\n<tr>";
     for (const std::string& header : claims.header) table += fmt::format("<th>{}</th>", html(header));
     table += "</tr>\n";
     for (const auto& row : claims.rows) {
@@ -98,11 +101,10 @@ std::string claims_table(const fs::path& csv) {
     return claims.rows.empty() ? "" : table + "</table></div>\n";
 }
 
-std::vector<Figure> read_captions(const fs::path& csv) {
-    const Rows          table = read_csv(csv);
+std::vector<Figure> figures_of(const Rows& captions) {
     std::vector<Figure> figures;
-    for (const auto& row : table.rows) {
-        const auto  text = [&](std::string_view column) { return row[table.column(column)].text(); };
+    for (const auto& row : captions.rows) {
+        const auto  text = [&](std::string_view column) { return row[captions.column(column)].text(); };
         Figure      figure{text("figure"), text("kind"), text("title"), text("caption"), {}};
         std::string files = text("files") + " ";
         for (std::size_t space; (space = files.find(' ')) != std::string::npos; files.erase(0, space + 1))
@@ -114,15 +116,37 @@ std::vector<Figure> read_captions(const fs::path& csv) {
 
 /// What an earlier run listed; nothing where that can't be read, as the list is about to be replaced.
 std::vector<Figure> listed_before(const fs::path& csv) try {
-    return fs::exists(csv) ? read_captions(csv) : std::vector<Figure>{};
+    return fs::exists(csv) ? figures_of(read_csv(csv)) : std::vector<Figure>{};
 } catch (const std::exception&) {
     return {};
 }
 
-/// "01_rays" is "01 rays" to a person.
-std::string heading(std::string chapter) {
-    std::replace(chapter.begin(), chapter.end(), '_', ' ');
-    return html(chapter);
+/// What the page shows of a chapter.
+struct Section {
+    std::string heading;
+    std::string body;
+};
+
+Section section_of(const fs::path& folder) {
+    const std::string chapter  = folder.filename().string();
+    const Rows        captions = read_csv(folder / captions_file);
+    const std::size_t headings = captions.column("chapter");
+    Section           section{captions.rows.empty() ? chapter : captions.rows.front()[headings].text(), ""};
+    for (const Figure& figure : figures_of(captions)) section.body += card(chapter, figure);
+    section.body =
+        fmt::format("<div class=\"grid\">\n{}</div>\n{}", section.body, claims_table(folder / claims_file));
+    return section;
+}
+
+/// The folders that hold captions, in order.
+std::vector<fs::path> chapters_in(const fs::path& figures_root) {
+    std::vector<fs::path> chapters;
+    for (const auto& entry : fs::directory_iterator(figures_root)) {
+        std::error_code locked;  // a folder that is none of ours
+        if (fs::exists(entry.path() / captions_file, locked)) chapters.push_back(entry.path());
+    }
+    std::sort(chapters.begin(), chapters.end());
+    return chapters;
 }
 
 }  // namespace
@@ -143,36 +167,31 @@ std::vector<std::string> outdated(const fs::path& chapter, const std::vector<Fig
     return names;
 }
 
-void write_captions(const fs::path& chapter, const std::vector<Figure>& figures) {
-    Rows table{{"figure", "kind", "title", "caption", "files"}};
+void write_captions(const fs::path& chapter, const std::string& heading, const std::vector<Figure>& figures) {
+    Rows table{{"chapter", "figure", "kind", "title", "caption", "files"}};
     for (const Figure& figure : figures)
-        table.add({figure.name, figure.kind, figure.title, figure.caption,
+        table.add({heading, figure.name, figure.kind, figure.title, figure.caption,
                    fmt::format("{}", fmt::join(figure.files, " "))});
     write_csv(chapter / captions_file, table);
 }
 
-void write_index(const fs::path& figures_root) {
-    std::vector<std::string> chapters;
-    for (const auto& entry : fs::directory_iterator(figures_root)) {
-        std::error_code locked;  // a folder that is none of ours
-        if (fs::exists(entry.path() / captions_file, locked))
-            chapters.push_back(entry.path().filename().string());
+std::vector<std::string> write_index(const fs::path& figures_root) {
+    std::string              links, sections;
+    std::vector<std::string> left_out;
+    for (const fs::path& folder : chapters_in(figures_root)) {
+        const std::string id = html(folder.filename().string());
+        try {
+            const auto [heading, body] = section_of(folder);
+            links += fmt::format("<a href=\"#{}\">{}</a>", id, html(heading));
+            sections +=
+                fmt::format("<section id=\"{}\">\n<h2>{}</h2>\n{}</section>\n", id, html(heading), body);
+        } catch (const std::exception& error) {
+            left_out.push_back(fmt::format("index.html leaves out {}: {}", folder.string(), error.what()));
+        }
     }
-    std::sort(chapters.begin(), chapters.end());
-
-    std::string page{page_head};
-    page += "<nav>";
-    for (const std::string& chapter : chapters)
-        page += fmt::format("<a href=\"#{}\">{}</a>", html(chapter), heading(chapter));
-    page += "</nav>\n";
-    for (const std::string& chapter : chapters) {
-        page += fmt::format("<section id=\"{}\">\n<h2>{}</h2>\n<div class=\"grid\">\n", html(chapter),
-                            heading(chapter));
-        for (const Figure& figure : read_captions(figures_root / chapter / captions_file))
-            page += card(chapter, figure);
-        page += "</div>\n" + claims_table(figures_root / chapter / claims_file) + "</section>\n";
-    }
-    write_whole_file(figures_root / "index.html", page + "</html>\n");
+    write_whole_file(figures_root / "index.html",
+                     fmt::format("{}<nav>{}</nav>\n{}</html>\n", page_head, links, sections));
+    return left_out;
 }
 
 }  // namespace sr::course

@@ -22,11 +22,14 @@ struct Figure {
 [[nodiscard]] std::vector<std::string> outdated(const std::filesystem::path& chapter,
                                                 const std::vector<Figure>&   figures);
 
-/// Writes `captions.csv` into the chapter's folder: figure,kind,title,caption,files.
-void write_captions(const std::filesystem::path& chapter, const std::vector<Figure>& figures);
+/// Writes `captions.csv` into the chapter's folder: chapter,figure,kind,title,caption,files.
+/// @param heading   of the chapter: "1 Rays"
+void write_captions(const std::filesystem::path& chapter, const std::string& heading,
+                    const std::vector<Figure>& figures);
 
 /// Writes `index.html`, one page of all chapters' figures and claims, from what their folders hold: captions.csv and
 /// claims_shown.csv.
-void write_index(const std::filesystem::path& figures_root);
+/// @return of each folder whose files are damaged, or none of ours, a line on why the page leaves it out
+[[nodiscard]] std::vector<std::string> write_index(const std::filesystem::path& figures_root);
 
 }  // namespace sr::course

@@ -1,6 +1,7 @@
 #include "course/chapter.hpp"
 
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
 #include <chrono>
 #include <cmath>
@@ -64,15 +65,49 @@ TEST_CASE("a chapter leaves its figures, their captions, its claims and the page
     CHECK(std::filesystem::file_size(folder / "grey.hdr") > 0);
     const Rows captions = read_csv(folder / "captions.csv");
     REQUIRE(captions.rows.size() == 3);
-    CHECK(captions.rows[0][0].text() == "line");  // in the chapter's order
-    CHECK(captions.rows[1][0].text() == "arrow");
-    CHECK(captions.rows[2][0].text() == "grey");
+    const auto name = captions.column("figure");
+    CHECK(captions.rows[0][name].text() == "line");  // in the chapter's order
+    CHECK(captions.rows[1][name].text() == "arrow");
+    CHECK(captions.rows[2][name].text() == "grey");
     const std::string page = read_text(out.path / "index.html");
-    for (const char* part : {"99_demo/grey.png", "99_demo/grey.hdr", "A line &amp; more", "99_demo/line.csv",
-                             "<i>L</i>", "A grey image", "99.1 one, or nearly", "class=\"yes\""})
+    for (const char* part :
+         {"<h2>99 Demo</h2>", "99_demo/grey.png", "99_demo/grey.hdr", "A line &amp; more", "99_demo/line.csv",
+          "<i>L</i>", "A grey image", "99.1 one, or nearly", "class=\"yes\""})
         CHECK(contains(page, part));
     for (const auto& entry : std::filesystem::directory_iterator(folder))
         CHECK(entry.path().filename().string().front() != '.');
+}
+
+TEST_CASE(
+    "a folder beside the chapter's whose files are none of ours is left out of the page, and a line says "
+    "so") {
+    const ScratchFolder out{"chapter_siblings"};
+    CHECK(run_program(out.path, small_chapter).code == 0);
+    std::filesystem::rename(out.path / "99_demo", out.path / "98_whole");
+    const auto write = [&](const char* folder, const char* file, const char* text) {
+        std::filesystem::create_directories(out.path / folder);
+        std::ofstream{out.path / folder / file} << text;
+    };
+    write("a_damaged", "captions.csv", "damaged\n1,2\n");
+    write("b_foreign", "captions.csv", "image,text\ncat.png,A cat\n");
+    write("c_claims", "captions.csv", "chapter,figure,kind,title,caption,files\n");
+    write("c_claims", "claims_shown.csv", "claim\nthe earth is flat\n");
+    const Ended ended = run_program(out.path, small_chapter);
+    CHECK(ended.code == 0);
+    CHECK(contains(ended.out, "1 claim, all hold"));
+    const auto note = [&](const char* folder, const std::string& reason) {
+        const std::string path = (out.path / folder).string();
+        return fmt::format("99_demo: index.html leaves out {}: {}\n", path,
+                           fmt::format(fmt::runtime(reason), path));
+    };
+    CHECK(ended.err ==
+          note("a_damaged", "{}/captions.csv, row 2: a row of 2 cells for the 1 columns damaged") +
+              note("b_foreign", "no column chapter; there are image, text") +
+              note("c_claims", "{}/claims_shown.csv is no table of claims"));
+    const std::string page = read_text(out.path / "index.html");
+    CHECK(contains(page, "98_whole/grey.png"));
+    CHECK(contains(page, "99_demo/grey.png"));
+    CHECK(!contains(page, "b_foreign"));
 }
 
 TEST_CASE("without gnuplot the data are written and one sentence says so") {
