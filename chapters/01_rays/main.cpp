@@ -220,8 +220,10 @@ void which_is_faster(course::Chapter& chapter) {
 
 int main(int argc, char** argv) {
     using namespace sr;
-    const course::Defaults defaults{
-        .samples = course::ByQuality{1, 16, 16}, .square_samples = true, .renders_scene = true};
+    const course::Defaults defaults{.samples        = course::ByQuality{1, 16, 16},
+                                    .square_samples = true,
+                                    .renders_scene  = true,
+                                    .seeded         = "the pixels that races ask, 1.6"};
     return course::run(argc, argv, "01_rays", "Rays", defaults, [](course::Chapter& chapter) {
         pinhole(chapter);
         what_is_seen(chapter);

@@ -216,8 +216,11 @@ void materials(course::Chapter& chapter) {
 
 int main(int argc, char** argv) {
     using namespace sr;
-    const course::Defaults defaults{.samples = course::ByQuality{.draft = 16, .lecture = 256, .print = 1024},
-                                    .square_samples = true};
+    const course::Defaults defaults{
+        .samples        = course::ByQuality{.draft = 16, .lecture = 256, .print = 1024},
+        .square_samples = true,
+        .sampled_each   = "pixel of the spheres, 6.10; other pictures have their own number",
+        .seeded         = "the spheres, 6.10; what the text quotes has its own"};
     return course::run(argc, argv, "06_materials", "Materials", defaults, [](course::Chapter& chapter) {
         definition(chapter);
         under_skies(chapter);

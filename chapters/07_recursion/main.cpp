@@ -255,7 +255,8 @@ int main(int argc, char** argv) {
     const course::Defaults defaults{.samples        = course::ByQuality{4, 16, 64},
                                     .square_samples = true,
                                     .takes_seed     = false,
-                                    .renders_scene  = true};
+                                    .renders_scene  = true,
+                                    .sampled_each   = "pixel of a render; those charted in 7.5 have 4"};
     return course::run(argc, argv, "07_recursion", "Recursion", defaults, [](course::Chapter& chapter) {
         what_is_seen(chapter);
         cost_of_recursion(chapter);

@@ -33,9 +33,11 @@ std::vector<CommandOption> shared_options(const std::optional<Defaults>& chapter
     const auto by_quality = [&](const ByQuality& n) {
         return fmt::format("[{} draft, {} lecture, {} print]", n.draft, n.lecture, n.print);
     };
-    std::string size    = "longer edge of a render in pixels ";
-    std::string samples = "samples per pixel or estimate ";
-    std::string seed    = "start of the random numbers [1, as in the text: others may miss its claims]";
+    std::string size = "longer edge of a render in pixels ";
+    std::string samples =
+        fmt::format("samples per {} ", chapter ? chapter->sampled_each : "pixel or estimate");
+    std::string seed =
+        fmt::format("start of the random numbers of {} [1]", chapter.value_or(Defaults{}).seeded);
     size += chapter ? by_quality(chapter->size) : "[the chapter's]";
     samples += chapter && chapter->samples ? by_quality(*chapter->samples) : "[the chapter's]";
     if (chapter && !chapter->samples) samples = fmt::format("fixed: {}", no_samples);

@@ -33,6 +33,10 @@ struct Defaults {
     bool                     square_samples = false;  ///< a pixel's samples form a square: 1, 4, 9, ...
     bool                     takes_seed     = true;   ///< false: its random numbers are always the same
     bool                     renders_scene  = false;  ///< the program then takes --scene FILE.obj
+
+    // what --help says after "samples per" and after "start of the random numbers of"
+    std::string_view sampled_each = "pixel of a render";
+    std::string_view seeded       = "all that is drawn; with others claims may fail";
 };
 
 /// What the person asked for, complete and checked.

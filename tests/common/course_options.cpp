@@ -125,6 +125,14 @@ TEST_CASE("an option that changes nothing gets one line, which is no error, and 
     CHECK(told({"--help"}).out.find("fixed") == std::string::npos);
 }
 
+TEST_CASE("help says what samples and seed act on, in the words of the chapter") {
+    const std::string help =
+        told({"--help"}, {.samples = ByQuality{1, 2, 3}, .sampled_each = "ball, 9.2", .seeded = "balls, 9.2"})
+            .out;
+    CHECK(help.find("samples per ball, 9.2 [1 draft, 2 lecture, 3 print]") != std::string::npos);
+    CHECK(help.find("start of the random numbers of balls, 9.2 [1]") != std::string::npos);
+}
+
 TEST_CASE("help names every option with its default") {
     const Ended ended = told({"--help"});
     CHECK(ended.code == 0);
