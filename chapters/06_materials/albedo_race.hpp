@@ -26,10 +26,10 @@ namespace sr {
 /// One way to an albedo at one effort, and its error.
 struct AlbedoLap {
     std::string                          name;
-    double                               effort;  ///< directions
-    std::function<double(std::uint64_t)> once;    ///< an estimate, by the number of the repeat
-    double                               error;   ///< root of the mean squared error
-    double                               error_se;
+    double                               effort;    ///< directions
+    std::function<double(std::uint64_t)> once;      ///< an estimate, by the number of the repeat
+    double                               error;     ///< root of the mean squared error
+    double                               error_se;  ///< 0 for quadrature, which always errs alike
 };
 
 /// The mean of `of(u)` for n pairs of numbers that belong to a curve and a repeat.

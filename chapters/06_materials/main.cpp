@@ -158,16 +158,20 @@ void cures(course::Chapter& chapter) {
 void claim_powers(course::Chapter& chapter, const std::string& race, const std::vector<AlbedoLap>& laps,
                   const std::vector<std::string>& ways) {
     const Claims claim{chapter, "6.7"};
+    course::Rows powers{{"race", "way", "power by which the error falls", "standard error"}};
     for (const std::string& way : ways) {
         const auto [power, error] = slope_of(laps, way);
-        chapter.say(
-            fmt::format("{}, {}: the error falls with the power {:.3f} +- {:.3f}", race, way, -power, error));
+        powers.add({race, way, -power, error});
         claim(fmt::format("{}, {}: power by which the error falls", race, way), 0.5, -power, 0.05);
         chapter.claim_at_most(fmt::format("6.7 {}, {}: that less one half [its standard errors]", race, way),
                               std::abs(power + 0.5) / error, 3);
     }
+    course::Rows errors{{"race", "way", "directions", "error", "standard error"}};
     for (const auto& lap : laps)
-        chapter.say(fmt::format("{} {}: {:.3e} +- {:.1e}", lap.name, lap.effort, lap.error, lap.error_se));
+        errors.add({race, lap.name, lap.effort, lap.error,
+                    lap.error_se > 0 ? course::Cell(lap.error_se) : course::Cell("-")});
+    chapter.say(errors);
+    chapter.say(powers);
 }
 
 /// 6.7  What does an albedo cost?
