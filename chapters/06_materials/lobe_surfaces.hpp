@@ -81,14 +81,20 @@ template <class F>
     return model;
 }
 
+/// A portrait's height for this width [pixels].
+[[nodiscard]] constexpr int portrait_height(int width) {
+    return width * 3 / 4;
+}
+
 /// Renders it from the side and above, lit from the upper left, on white.
-inline void portray(course::Chapter& chapter, const std::string& name, const std::string& title,
-                    const Model& model) {
-    const auto&           options = chapter.options();
-    const int             size    = options.size;
-    const Vector3<double> from    = normalize(Vector3<double>{0.25, -1, 0.42});
-    const auto camera = convert<float>(pinhole_camera<double>(9.0 * from + Vector3<double>{0, 0, 0.3}, -from,
-                                                              {0, 0, 1}, 1.0, 0.29, size, size * 3 / 4));
+/// @param progress  told of each row
+inline void portray(course::Chapter& chapter, course::Progress& progress, const std::string& name,
+                    const std::string& title, const Model& model) {
+    const auto&            options = chapter.options();
+    const int              size    = options.size;
+    const Vector3<double>  from    = normalize(Vector3<double>{0.25, -1, 0.42});
+    const auto             camera  = convert<float>(pinhole_camera<double>(
+        9.0 * from + Vector3<double>{0, 0, 0.3}, -from, {0, 0, 1}, 1.0, 0.29, size, portrait_height(size)));
     const Hierarchy<float> hierarchy(model.mesh);
     const Vec3             light = normalize(Vec3{-0.5F, -0.7F, 1.0F});
     const auto             seen  = [&](const Ray<float>& ray) {
@@ -98,7 +104,7 @@ inline void portray(course::Chapter& chapter, const std::string& name, const std
         return (0.25F + 0.75F * std::abs(dot(n, light))) * model.colours[hit->face];
     };
     constexpr int   side = 4;
-    Image<Spectrum> film(size, size * 3 / 4);
+    Image<Spectrum> film(size, portrait_height(size));
     for_each_pixel(film.width(), film.height(), {.threads = options.threads}, [&](int x, int y) {
         for (int part = 0; part < side * side; ++part) {
             const Vec2 at{float(part % side), float(part / side)};
@@ -106,6 +112,7 @@ inline void portray(course::Chapter& chapter, const std::string& name, const std
                 film(x, y) + 1 / float(side * side) *
                                  seen(camera.ray(Vec2(float(x), float(y)) + (at + 0.5F) / float(side)));
         }
+        if (x == 0) progress.tick();
     });
     chapter.render(name, title, "The distance from the lit point is f, in every direction.", film);
 }
@@ -117,15 +124,16 @@ inline void portray_lobes(course::Chapter& chapter) {
         return [lobe = Phong<double>{e}, wo](const Vector3<double>& wi) { return lobe.f(wo, wi); };
     };
     const LobeSum<double> sum{{{{0.7F, 0.7F, 0.7F}, Diffuse<double>{}}, {{0.2F, 0.2F, 0.2F}, Phong{60.0}}}};
-    portray(chapter, "lobe_diffuse", "Diffuse",
+    course::Progress      progress("portraying lobes", 4 * portrait_height(chapter.options().size));
+    portray(chapter, progress, "lobe_diffuse", "Diffuse",
             lobe_model(wo, 2.8, {0.10F, 0.55F, 0.35F},
                        [&](const auto& wi) { return Diffuse<double>{}.f(wo, wi); }));
-    portray(chapter, "lobe_dull", "Phong's lobe, exponent 5",
+    portray(chapter, progress, "lobe_dull", "Phong's lobe, exponent 5",
             lobe_model(wo, 1.1, {0.12F, 0.42F, 0.75F}, phong(5)));
-    portray(chapter, "lobe_glossy", "Phong's lobe, exponent 20",
+    portray(chapter, progress, "lobe_glossy", "Phong's lobe, exponent 20",
             lobe_model(wo, 0.42, {0.85F, 0.30F, 0.10F}, phong(20)));
     portray(
-        chapter, "lobe_sum", "A sum of two",
+        chapter, progress, "lobe_sum", "A sum of two",
         lobe_model(wo, 0.62, {0.60F, 0.25F, 0.52F}, [&](const auto& wi) { return double(sum.f(wo, wi).g); }));
 }
 

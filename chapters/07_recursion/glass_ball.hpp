@@ -41,11 +41,11 @@ template <class Depart>
 /// The ball from four radii away, in so many pixels across.
 template <class Depart>
 [[nodiscard]] Image<Spectrum> picture_of_glass_ball(double radius, int side, const PixelSampling& sampling,
-                                                    int threads, const Depart& depart) {
+                                                    const TileLoop& loop, const Depart& depart) {
     const Vector3<double> centre = radius * Vector3<double>{7, 5, 3}, back{0, 0, 4 * radius};
     const Sphere<float>   ball{Vec3(centre), float(radius)};
     const auto camera = pinhole_camera<double>(centre - back, {0, 0, 1}, {0, 1, 0}, 1, 0.6, side, side);
-    return render(convert<float>(camera), sampling, {.threads = threads}, [&](const Ray<float>& ray, Rng&) {
+    return render(convert<float>(camera), sampling, loop, [&](const Ray<float>& ray, Rng&) {
         return past_glass_ball(ball, {{ray.origin, normalize(ray.direction)}}, 1, depart);
     });
 }

@@ -15,16 +15,18 @@ namespace sr {
 template <class Depart>
 [[nodiscard]] double wrong_pixels(double radius, int threads, const Depart& depart) {
     const auto picture = [&](double r, const auto& leave_by) {
-        return picture_of_glass_ball(r, 100, {.samples = 1}, threads, leave_by);
+        return picture_of_glass_ball(r, 100, {.samples = 1}, {.threads = threads}, leave_by);
     };
     return differing(picture(radius, depart), picture(1, leave_by_error_bound)) / 100.0;
 }
 
 inline void show_glass_balls(course::Chapter& chapter) {
-    const auto& options = chapter.options();
-    const auto  shown   = [&](double radius, const auto& depart) {
+    const auto&      options = chapter.options();
+    course::Progress progress("tracing balls of glass", 4 * steps_of_picture);
+    const auto       shown = [&](double radius, const auto& depart) {
         const PixelSampling sampling{.samples = options.samples, .seed = options.seed};
-        return picture_of_glass_ball(radius, options.size / 2, sampling, options.threads, depart);
+        return picture_of_glass_ball(radius, options.size / 2, sampling, told_to(progress, options.threads),
+                                           depart);
     };
     chapter.render("glass_bound", "A ball of glass by the error bound",
                    "Radius 1000; all radii give this picture.", shown(1e3, leave_by_error_bound));

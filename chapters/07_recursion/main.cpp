@@ -35,15 +35,16 @@ void what_is_seen(course::Chapter& chapter) {
     diagram.caption(
         "Orange is reflected, green refracted. Paint ends a branch, and asks whether it sees the light.");
 
-    const auto& options = chapter.options();
+    const auto&      options = chapter.options();
+    course::Progress progress("tracing rays up to 16 deep", steps_of_picture);
     if (options.scene) {
         chapter.render(
             "scene", "The scene", "Rays up to 16 deep; its lamps, or one in their place, are points.",
-            picture(lit_view_of_file(*options.scene, options.size), {.depth = 16}, options, "the scene"));
+            picture(lit_view_of_file(*options.scene, options.size), {.depth = 16}, options, progress));
     } else {
         chapter.render("balls", "The Cornell box with a ball of mirror and one of glass",
                        "Rays up to 16 deep; the light is a point below the lamp.",
-                       picture(box_with_balls(options.size), {.depth = 16}, options, "the box"));
+                       picture(box_with_balls(options.size), {.depth = 16}, options, progress));
     }
 }
 
@@ -71,10 +72,10 @@ void cost_of_recursion(course::Chapter& chapter) {
 /// 7.3  How deep must rays go?
 void how_deep(course::Chapter& chapter) {
     chapter.section("7.3 How deep?");
-    const auto& options = chapter.options();
-    const auto  shown   = [&](int depth) {
-        return picture(box_with_balls(options.size / 2), {.depth = depth}, options,
-                          fmt::format("depth {}", depth));
+    const auto&      options = chapter.options();
+    course::Progress progress("tracing rays of all depths", 6 * steps_of_picture);
+    const auto       shown = [&](int depth) {
+        return picture(box_with_balls(options.size / 2), {.depth = depth}, options, progress);
     };
     const auto deep = shown(16);
     for (const int depth : {1, 2, 3, 4, 6}) {

@@ -2,22 +2,29 @@
 /// @file picture.hpp
 /// A scene as the recursive tracer shows it, and how many rays that took.
 
-#include <string>
-
 #include "course/chapter.hpp"
 #include "scene/scene_view.hpp"
 #include "transport/recursion.hpp"
 #include "transport/render.hpp"
+#include "transport/tiles.hpp"
 
 namespace sr {
 
+/// What a progress counts for a picture.
+inline constexpr int steps_of_picture = 1000;
+
+/// A loop over a picture that tells a progress how far it is.
+[[nodiscard]] inline TileLoop told_to(course::Progress& progress, int threads) {
+    return {.threads = threads, .on_tile = [&](int done, int of) {
+                progress.tick(course::steps_of_part(steps_of_picture, done, of));
+            }};
+}
+
 [[nodiscard]] inline Image<Spectrum> picture(const SceneView& view, const RecursionOptions& recursion,
-                                             const course::Options& options, const std::string& name) {
+                                             const course::Options& options, course::Progress& progress) {
     const RecursiveTracer tracer(view.scene, recursion);
-    course::Progress      progress("tracing " + name, 1000);
-    const auto on_tile = [&](int done, int of) { progress.tick(1000 * done / of - 1000 * (done - 1) / of); };
     return render(convert<float>(view.camera), {.samples = options.samples, .seed = options.seed},
-                  {.threads = options.threads, .on_tile = on_tile}, [&](const Ray<float>& ray, Rng& rng) {
+                  told_to(progress, options.threads), [&](const Ray<float>& ray, Rng& rng) {
                       RayCount count;
                       return tracer.radiance(ray, rng, count);
                   });

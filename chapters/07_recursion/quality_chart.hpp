@@ -28,14 +28,20 @@ inline const std::string drawn    = "one branch at random";
 
 /// Errors in percent, and times on one thread, of all recipes.
 inline void chart_quality(course::Chart chart, const SceneView& view, const course::Options& options) {
-    const bool                draft = options.quality == course::Quality::draft;
+    const int                 repeats = options.quality == course::Quality::draft ? 1 : 7;
     const Judge               judge(view, options.threads);
     std::vector<course::Work> work;
     const auto                all = recipes();
-    for (const auto& recipe : all) work.push_back({recipe.name, [&] { (void)judge.shown(recipe, 1); }});
-    const auto timings = course::measure(work, draft ? 1 : 7);
+    course::Progress          progress("rendering by all recipes", int(all.size()) * (repeats + 1));
+    for (const auto& recipe : all)
+        work.push_back({recipe.name, [&] {
+                            (void)judge.shown(recipe, 1);
+                            progress.tick();
+                        }});
+    const auto timings = course::measure(work, repeats);
     for (std::size_t i = 0; i < all.size(); ++i) {
         const auto [error, se] = judge.error(all[i]);
+        progress.tick();
         chart.row({all[i].name, all[i].effort, timings[i].seconds, 100 * error, 100 * se});
     }
 }
