@@ -18,14 +18,12 @@ namespace sr {
 /// An arc about a point between two angles [degrees] to the upright, with its name beside it.
 inline void draw_arc(course::Diagram diagram, course::Point at, double radius, double from, double to,
                      const std::string& name) {
-    const auto toward = [&](double angle, double r) {
-        return at + r * course::Point{std::sin(radians(angle)), std::cos(radians(angle))};
-    };
     std::vector<course::Point> arc;
     constexpr int              steps = 20;
-    for (int i = 0; i <= steps; ++i) arc.push_back(toward(from + (to - from) * i / steps, radius));
+    for (int i = 0; i <= steps; ++i) arc.push_back(at + toward(from + (to - from) * i / steps, radius));
     diagram.line(arc, {course::Ink::grey, course::Weight::thin});
-    diagram.label(toward((from + to) / 2, radius + 0.25), name, course::Anchor::centre, course::Ink::grey);
+    diagram.label(at + toward((from + to) / 2, radius + 0.25), name, course::Anchor::centre,
+                  course::Ink::grey);
 }
 
 /// Light in a narrow cone, the irradiance that it makes, and the radiance that leaves: equations (6.1) to (6.3).
@@ -33,9 +31,6 @@ inline void draw_definition(course::Diagram diagram) {
     using course::Ink;
     using course::Point;
     using course::Weight;
-    const auto toward = [](double angle, double r) {
-        return r * Point{std::sin(radians(angle)), std::cos(radians(angle))};
-    };
     diagram.polygon({{-3, 0}, {3, 0}, {3, -0.15}, {-3, -0.15}}, {Ink::grey, course::Weight::thin}, 0.35);
     diagram.line({-0.3, 0}, {0.3, 0}, {Ink::black, course::Weight::thick});
     diagram.label({0, -0.42}, "$dA$", course::Anchor::centre);
@@ -65,8 +60,7 @@ inline void draw_lobes(course::Diagram diagram) {
     const auto wo = at_angle(-50);
     for (const int ring : {1, 2, 3}) {
         std::vector<course::Point> arc;
-        for (int angle = -90; angle <= 90; angle += 2)
-            arc.push_back(double(ring) * course::Point{std::sin(radians(angle)), std::cos(radians(angle))});
+        for (int angle = -90; angle <= 90; angle += 2) arc.push_back(toward(angle, ring));
         diagram.line(arc, {Ink::grey, course::Weight::thin, true});
         diagram.label({-double(ring), -0.5}, fmt::format("{}", ring), course::Anchor::centre, Ink::grey);
     }
@@ -107,9 +101,6 @@ inline void draw_interface(course::Diagram diagram) {
     using course::Ink;
     using course::Point;
     using course::Weight;
-    const auto toward = [](double angle, double r) {
-        return r * Point{std::sin(radians(angle)), std::cos(radians(angle))};
-    };
     const double refracted = degrees(std::asin(std::sin(radians(55)) / 1.5));
     diagram.polygon({{-2.6, 0}, {7.4, 0}, {7.4, -2.1}, {-2.6, -2.1}}, {Ink::sky, Weight::thin}, 0.18);
     for (const double x : {0.0, 4.8}) diagram.line({x, -2}, {x, 2}, {Ink::grey, Weight::thin, true});
