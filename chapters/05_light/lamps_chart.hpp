@@ -55,7 +55,7 @@ inline void claim_powers(course::Chapter& chapter, const LampRace& race, const s
 inline void speed_against_accuracy(course::Chapter& chapter) {
     chapter.section("5.8 Speed against accuracy");
     constexpr int receivers      = 128;
-    const int     repeats        = chapter.options().quality == course::Quality::draft ? 2 : 7;
+    const int     repeats        = chapter.options().quality == course::Quality::draft ? 1 : 7;
     auto          disk_chart     = lamp_chart(chapter, "disk_lamp", "A disk, seen whole");
     auto          occluded_chart = lamp_chart(chapter, "occluded_lamp", "A square, a disk before it");
     LampRace      disk(disk_chart, "disk", repeats), square(occluded_chart, "square", repeats);
