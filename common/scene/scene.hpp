@@ -1,6 +1,8 @@
 #pragma once
 /// @file scene.hpp
-/// What there is to see: triangles and spheres, what each is made of, and what lights them.
+/// What there is to see: triangles and spheres, what each is made of, and what lights them. Quantities with units end
+/// here: a renderer adds and weighs radiances and nothing else, and types that are all alike tell nothing apart. What is
+/// emitted is a bare Spectrum, and its unit stands beside it.
 
 #include <cstdint>
 #include <string>
@@ -45,7 +47,7 @@ struct Scene {
     std::vector<Material>      materials        = {};
     std::vector<std::uint32_t> material_of_face = {};
     std::vector<Ball>          balls            = {};
-    std::vector<PointLight>    lights           = {};
+    std::vector<PointLight>    lights           = {};  ///< intensities [W/sr]
     Spectrum                   background       = {};  ///< radiance from where nothing is [W/(m^2 sr)]
 };
 
