@@ -54,10 +54,11 @@ public:
     /// One of the two, each as often as its share of the light.
     [[nodiscard]] std::optional<BsdfSample<T>> sample(const Vector3<T>& wo, Vector2<T> u,
                                                       TransportMode mode) const {
-        const Branches<T> both = branches(wo, mode);
-        const T           R    = both.reflected.weight;
-        BsdfSample<T>     one  = u.x < R ? both.reflected : *both.refracted;
-        one.weight /= u.x < R ? R : 1 - R;
+        const Branches<T> both     = branches(wo, mode);
+        const T           R        = both.reflected.weight;
+        const bool        reflects = u.x < R || R == 1;  // where all light is reflected, a u of 1 is as well
+        BsdfSample<T>     one      = reflects ? both.reflected : *both.refracted;
+        one.weight /= reflects ? R : 1 - R;
         return one;
     }
 

@@ -101,6 +101,19 @@ TEST_CASE("dielectric: what is drawn counts what its branch does, as often as it
         1);
 }
 
+TEST_CASE("dielectric: a number of exactly 1 draws what is there") {
+    const Dielectric glass{1.5};
+    const V          total{std::sin(1.0), 0, -std::cos(1.0)}, along{1, 0, 1e-300};
+    for (const V& wo : {total, along}) {  // there is no other way, or one without light
+        CHECK(glass.branches(wo, TransportMode::radiance).reflected.weight == 1);
+        const auto one = glass.sample(wo, {1, 1}, TransportMode::radiance);
+        REQUIRE(one);
+        CHECK(one->wi == reflect(wo));
+        CHECK(one->weight == 1);
+    }
+    CHECK(glass.sample(at(75), {1, 1}, TransportMode::radiance)->wi.z < 0);
+}
+
 TEST_CASE("dielectric: an impossible index of refraction is refused by name and value") {
     for (const double n : {0.0, -1.5, std::nan(""), HUGE_VAL}) {
         CHECK_THROWS_AS(Dielectric<double>{n}, std::invalid_argument);
