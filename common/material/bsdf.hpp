@@ -2,7 +2,8 @@
 /// @file bsdf.hpp
 /// What all lobes have in common. A lobe is how light is scattered, without its colour: a material weights lobes
 /// with spectra (lobe_sum.hpp). Directions are unit vectors of the local frame with normal +z, and both leave
-/// the surface: `wo` to the eye, `wi` to the light.
+/// the surface: `wo` to the eye, `wi` to the light. `sample` takes a `u` that is uniform in
+/// [0, 1)^2.
 
 #include <concepts>
 #include <optional>
@@ -18,10 +19,10 @@ namespace sr {
 enum class TransportMode { radiance, importance };
 
 /// A direction that was drawn, and what the light from there counts.
-template <std::floating_point T, class Weight = T>
+template <std::floating_point T, class Value = T>
 struct BsdfSample {
     Vector3<T>               wi;
-    Weight                   weight;  ///< f cos / pdf, written without the division that could be 0 / 0
+    Value                    weight;  ///< f cos / pdf, written without the division that could be 0 / 0
     Pdf<measure::SolidAngle> pdf;     ///< of wi; 0 of a delta, which has no density
     bool                     is_delta = false;  ///< wi was drawn from a set of single directions
 };
@@ -36,13 +37,14 @@ concept DeltaLobe = requires(const Lobe lobe, Vector3<T> wo, Vector2<T> u, Trans
     lobe.f(w, w);
 };
 
-/// A lobe that spreads light. f [1/sr] has no cosine in it: that is the reflectance equation's. `pdf(wo, wi)` is the
-/// density with which `sample(wo, u)` draws wi.
-template <class Lobe, class T>
-concept Bsdf = requires(const Lobe lobe, Vector3<T> wo, Vector3<T> wi, Vector2<T> u, TransportMode mode) {
-    { lobe.f(wo, wi) } -> std::same_as<T>;
-    { lobe.pdf(wo, wi) } -> std::same_as<Pdf<measure::SolidAngle>>;
-    { lobe.sample(wo, u, mode) } -> std::same_as<std::optional<BsdfSample<T>>>;
+/// What spreads light. f [1/sr] has no cosine in it: that is the reflectance equation's. `pdf(wo, wi)` is the
+/// density with which `sample(wo, u, mode)` draws wi.
+/// @tparam Value  of f and of a sample's weight: a number for a lobe, a Spectrum for a material
+template <class B, class T, class Value = T>
+concept Bsdf = requires(const B bsdf, Vector3<T> wo, Vector3<T> wi, Vector2<T> u, TransportMode mode) {
+    { bsdf.f(wo, wi) } -> std::same_as<Value>;
+    { bsdf.pdf(wo, wi) } -> std::same_as<Pdf<measure::SolidAngle>>;
+    { bsdf.sample(wo, u, mode) } -> std::same_as<std::optional<BsdfSample<T, Value>>>;
 };
 
 }  // namespace sr

@@ -9,7 +9,6 @@
 #include <cstddef>
 #include <optional>
 #include <stdexcept>
-#include <type_traits>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -47,8 +46,8 @@ template <std::floating_point T>
         lobe);
 }
 
-/// The sum of weighted lobes. It gives back no more light than it gets, in no channel and from no direction, because
-/// its constructor adds up what its lobes can give back at most.
+/// The sum of weighted lobes: a Bsdf whose values are spectra. It gives back no more light than it gets, in no channel
+/// and from no direction, because its constructor adds up what its lobes can give back at most.
 template <std::floating_point T>
 class LobeSum {
 public:

@@ -23,6 +23,7 @@ V at(double degrees) {
 
 // What may be evaluated, and what only sampled, is known to the compiler.
 static_assert(Bsdf<Diffuse<float>, float> && Bsdf<Diffuse<double>, double>);
+static_assert(Bsdf<LobeSum<float>, float, Spectrum> && !Bsdf<LobeSum<float>, float>);
 static_assert(DeltaLobe<Mirror<float>, float> && DeltaLobe<Dielectric<double>, double>);
 static_assert(!Bsdf<Mirror<float>, float> && !DeltaLobe<Diffuse<float>, float>);
 
