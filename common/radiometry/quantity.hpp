@@ -5,6 +5,7 @@
 ///     const SolidAngle<double> seen{0.1};      // [sr]
 ///     const Irradiance<double> E = L * seen;   // [W/m^2]: products add the exponents of units
 ///     E + L;                                   // no: W/m^2 and W/(m^2 sr)
+///     2.0 * L;                                 // a number scales it; 2 * L not, for 1 / 2 * L would be 0
 ///     E.value();                               // 0.2, a bare number
 /// At run time nothing of it is left: a quantity is its value.
 
@@ -66,7 +67,7 @@ struct ScalarOf<Spectrum> {
 };
 
 /// Values that may be multiplied: both of floats or both of doubles, so that none becomes another type unasked. A
-/// quantity is none, nor is a whole number.
+/// quantity is none, nor is a whole number: 1 / 2 * L would be 0 * L.
 template <class V, class X>
 concept Multipliable =
     std::floating_point<typename ScalarOf<V>::type> && std::same_as < typename ScalarOf<V>::type,
