@@ -2,11 +2,10 @@
 /// @file closed_forms.hpp
 /// Section 5.7: irradiance without an integral.
 
-#include <array>
 #include <cmath>
 #include <numbers>
-#include <span>
 #include <string>
+#include <vector>
 
 #include "course/chapter.hpp"
 #include "geometry/disk.hpp"
@@ -33,13 +32,10 @@ inline void claim_lamps(course::Chapter& chapter) {
           projected_solid_angle(Disk<double>{{0, 0, 1}, {0, 0, -1}, 1}).value(), 5e-5);
     claim("the same from below its rim [W/m^2]", 0.8683,
           projected_solid_angle(Disk<double>{{1, 0, 1}, {0, 0, -1}, 1}).value(), 5e-5);
-    const std::array<Vector3<double>, 4> square{
-        {{-0.5, -0.5, 1}, {0.5, -0.5, 1}, {0.5, 0.5, 1}, {-0.5, 0.5, 1}}};
-    claim("a unit square at the height 1 [W/m^2]", 0.7523,
-          projected_solid_angle(std::span<const Vector3<double>>(square)).value(), 5e-5);
-    const std::array<Vector3<double>, 4> wall{{{1, -0.5, -1}, {1, 0.5, -1}, {1, 0.5, 1}, {1, -0.5, 1}}};
-    claim("a wall, half of it below the horizon [W/m^2]", 0.223,
-          projected_solid_angle(std::span<const Vector3<double>>(wall)).value(), 5e-4);
+    const std::vector<Vector3<double>> square{{-0.5, -0.5, 1}, {0.5, -0.5, 1}, {0.5, 0.5, 1}, {-0.5, 0.5, 1}};
+    claim("a unit square at the height 1 [W/m^2]", 0.7523, projected_solid_angle(square).value(), 5e-5);
+    const std::vector<Vector3<double>> wall{{1, -0.5, -1}, {1, 0.5, -1}, {1, 0.5, 1}, {1, -0.5, 1}};
+    claim("a wall, half of it below the horizon [W/m^2]", 0.223, projected_solid_angle(wall).value(), 5e-4);
     const Radiance<double> L{1};
     claim("a uniform sky, level [W/m^2]", 3.1416, uniform_sky_irradiance(L, 0.0).value(), 5e-5);
     claim("an overcast sky, level [W/m^2]", 2.44346, overcast_sky_irradiance(L, 0.0).value(), 5e-6);

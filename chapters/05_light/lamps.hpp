@@ -3,10 +3,8 @@
 /// The two lamps of section 5.8, of radiance 1, and one estimate each of the irradiance that they give, from a point of
 /// the unit square. The receiver lies in the origin with normal +z.
 
-#include <array>
 #include <cmath>
 #include <numbers>
-#include <span>
 #include <vector>
 
 #include "geometry/disk.hpp"
@@ -57,12 +55,10 @@ public:
 
     /// The lamp's, less that of the part hidden: a disk of twice the radius in its plane.
     [[nodiscard]] double exact() const {
-        const Vector2<double>                low = middle_ - 1.0, high = middle_ + 1.0;
-        const std::array<Vector3<double>, 4> lamp{
-            {{low, 2}, {high.x, low.y, 2}, {high, 2}, {low.x, high.y, 2}}};
-        const Disk<double> hidden{{2.0 * middle_, 2}, {0, 0, -1}, 0.6};
-        return (projected_solid_angle(std::span<const Vector3<double>>(lamp)) - projected_solid_angle(hidden))
-            .value();
+        const Vector2<double>              low = middle_ - 1.0, high = middle_ + 1.0;
+        const std::vector<Vector3<double>> lamp{{low, 2}, {high.x, low.y, 2}, {high, 2}, {low.x, high.y, 2}};
+        const Disk<double>                 hidden{{2.0 * middle_, 2}, {0, 0, -1}, 0.6};
+        return (projected_solid_angle(lamp) - projected_solid_angle(hidden)).value();
     }
     [[nodiscard]] double by_area(Vector2<double> u) const {
         const Vector3<double> p{middle_ - 1.0 + 2.0 * u, 2};

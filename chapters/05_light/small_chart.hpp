@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -109,9 +108,9 @@ inline void claim_solid_angles(course::Chapter& chapter) {
     claim("a disk from its axis", 1.8403, solid_angle(disk(0)));
     claim("a disk from below its rim", 1.1227, solid_angle(disk(1)));
     claim("a square from below its middle", 2.0944, centred_rectangle_solid_angle(1.0, 1.0, 1.0));
-    claim("a rectangle aside", 0.2121, solid_angle(std::span<const Vector3<double>>(aside)));
+    claim("a rectangle aside", 0.2121, solid_angle(aside));
     claim("a triangle", 1.5708, solid_angle(Triangle<double>{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}));
-    claim("a square with a dent", 1.5708, solid_angle(std::span<const Vector3<double>>(dent)));
+    claim("a square with a dent", 1.5708, solid_angle(dent));
 }
 
 /// How many of 200 000 directions to a small lamp are at different distances from its middle.

@@ -3,7 +3,6 @@
 
 #include <concepts>
 #include <cstddef>
-#include <span>
 #include <vector>
 
 #include "math/vector.hpp"
@@ -14,7 +13,7 @@ namespace sr {
 /// three corners are left where there is none.
 /// @see Sutherland and Hodgman, Reentrant Polygon Clipping, Comm. ACM 17 (1974)
 template <std::floating_point T>
-[[nodiscard]] std::vector<Vector3<T>> above_horizon(std::span<const Vector3<T>> polygon) {
+[[nodiscard]] std::vector<Vector3<T>> above_horizon(const std::vector<Vector3<T>>& polygon) {
     std::vector<Vector3<T>> above;
     for (std::size_t i = 0; i < polygon.size(); ++i) {
         const Vector3<T>& p = polygon[i];

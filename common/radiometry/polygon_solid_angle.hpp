@@ -4,7 +4,7 @@
 #include <cmath>
 #include <concepts>
 #include <cstddef>
-#include <span>
+#include <vector>
 
 #include "geometry/triangle.hpp"
 #include "math/vector.hpp"
@@ -34,7 +34,7 @@ template <std::floating_point T>
 /// The solid angle from the origin of a plane polygon of any shape that does not cross itself: a fan of triangles,
 /// those that lie outside counted negatively.
 template <std::floating_point T>
-[[nodiscard]] SolidAngle<T> solid_angle(std::span<const Vector3<T>> polygon) {
+[[nodiscard]] SolidAngle<T> solid_angle(const std::vector<Vector3<T>>& polygon) {
     SolidAngle<T> sum;
     for (std::size_t i = 2; i < polygon.size(); ++i)
         sum = sum + signed_solid_angle(Triangle<T>{polygon[0], polygon[i - 1], polygon[i]});

@@ -12,8 +12,8 @@
 #include <cstddef>
 #include <limits>
 #include <numbers>
-#include <span>
 #include <stdexcept>
+#include <vector>
 
 #include "geometry/disk.hpp"
 #include "geometry/sphere.hpp"
@@ -69,7 +69,7 @@ template <std::floating_point T>
 /// through it and the receiver. The part below the horizon is cut off.
 /// @see Lambert, Photometria (1760); Arvo, The Irradiance Jacobian for Partially Occluded Polyhedral Sources (1994)
 template <std::floating_point T>
-[[nodiscard]] SolidAngle<T> projected_solid_angle(std::span<const Vector3<T>> polygon) {
+[[nodiscard]] SolidAngle<T> projected_solid_angle(const std::vector<Vector3<T>>& polygon) {
     const auto corners = above_horizon(polygon);
     T          sum     = 0;
     for (std::size_t i = 0; i < corners.size(); ++i) {

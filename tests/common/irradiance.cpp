@@ -5,11 +5,8 @@
 
 #include <cmath>
 #include <numbers>
-#include <span>
 #include <stdexcept>
-#include <string>
-#include <tuple>
-#include <vector>
+#include <utility>
 
 #include "geometry/disk.hpp"
 #include "geometry/sphere.hpp"
@@ -18,22 +15,20 @@
 #include "math/gauss_legendre.hpp"
 #include "math/square.hpp"
 #include "near.hpp"
+#include "polygons.hpp"
 #include "radiometry/projected_solid_angle.hpp"
 #include "radiometry/solid_angle.hpp"
 
 using namespace sr;
 using test::near;
+using test::Points;
+using test::rectangle;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
-
-using Points = std::vector<Vector3<double>>;
+using std::numbers::pi;
 
 /// E / (pi L), which tables of heat transfer call the configuration factor.
-double factor(const Points& polygon) {
-    return projected_solid_angle(std::span<const Vector3<double>>(polygon)).value() / pi;
-}
 template <class Shape>
 double factor(const Shape& shape) {
     return projected_solid_angle(shape).value() / pi;
@@ -139,14 +134,11 @@ TEST_CASE("a disk that is turned and aside, against quadrature; one that the hor
 }
 
 TEST_CASE("B8, B9: rectangles above and upright, which a receiver on their corner's plane sees") {
-    const auto above = [](double a, double b, double c) {
-        return factor(Points{{0, 0, c}, {a, 0, c}, {a, b, c}, {0, b, c}});
-    };
+    const auto above = [](double a, double b, double c) { return factor(rectangle(0, a, 0, b, c)); };
     CHECK(above(1, 1, 1) == near(0.138531605994893, 1e-14));
     CHECK(above(2, 1, 0.5) == near(0.22077762233476159, 1e-14));
     CHECK(above(10, 10, 1) == near(0.24797140829531015, 1e-14));
-    const Points centred{{-0.5, -0.5, 1}, {0.5, -0.5, 1}, {0.5, 0.5, 1}, {-0.5, 0.5, 1}};
-    CHECK(factor(centred) == near(0.2394564704607735, 1e-14));
+    CHECK(factor(rectangle(-0.5, 0.5, -0.5, 0.5, 1)) == near(0.2394564704607735, 1e-14));
 
     const auto upright = [](double a, double b, double c, double bottom) {
         return factor(Points{{c, 0, bottom}, {c, b, bottom}, {c, b, a}, {c, 0, a}});
@@ -166,6 +158,9 @@ TEST_CASE("B10: a triangle, either way round, and with a part below the horizon"
     // in (0, 1, 0)
     CHECK(factor(Points{{0, 1, 2}, {0, 1, -2}, {2, 1, 0}}) ==
           near(factor(Points{{0, 1, 2}, {0, 1, 0}, {2, 1, 0}}), 1e-14));
+    // and an edge is cut where it meets the horizon, here after a third
+    CHECK(factor(Points{{0, 1, 1}, {3, 1, -2}, {-6, 1, -2}}) ==
+          near(factor(Points{{0, 1, 1}, {1, 1, 0}, {-2, 1, 0}}), 1e-14));
     CHECK(std::isnan(factor(Points{{0, 1, 2}, {0, std::nan(""), 0}, {2, 1, 0}})));
 }
 

@@ -4,17 +4,14 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
-#include <functional>
 #include <numbers>
-#include <span>
-#include <tuple>
 #include <vector>
 
 #include "math/square.hpp"
 #include "near.hpp"
+#include "polygons.hpp"
 #include "radiometry/polygon_solid_angle.hpp"
 #include "sampling/cone.hpp"
 #include "sampling/disk.hpp"
@@ -127,11 +124,10 @@ TEST_CASE_TEMPLATE("spherical rectangle: points lie on it, seen uniformly; A4", 
          {Vector3<T>{T(0.99), 1, 1}, {T(3.01), 1, 1}, {2, T(0.49), 1}, {2, T(2.01), 1}, {-2, -1, -1}})
         CHECK(seen.pdf(beside).value == 0);
     // u.x is the share of the solid angle at smaller x, by another formula; u.y that of a narrow strip at smaller y
-    const std::array<Vector3<double>, 4> part{{{1, 0.5, 1}, {1.7, 0.5, 1}, {1.7, 2, 1}, {1, 2, 1}}};
-    const auto                           sine    = [](double x, double y) { return y / std::hypot(x, y, 1); };
-    const auto                           inverse = seen.invert({T(1.7), T(1.2), 1});
+    const auto sine    = [](double x, double y) { return y / std::hypot(x, y, 1); };
+    const auto inverse = seen.invert({T(1.7), T(1.2), 1});
     CHECK(double(inverse.x) ==
-          near(solid_angle(std::span<const Vector3<double>>(part)).value() / 0.21207982090554895, 1e-5));
+          near(solid_angle(test::rectangle(1, 1.7, 0.5, 2, 1)).value() / 0.21207982090554895, 1e-5));
     CHECK(double(inverse.y) ==
           near((sine(1.7, 1.2) - sine(1.7, 0.5)) / (sine(1.7, 2) - sine(1.7, 0.5)), 1e-5));
     Rng rng{5, 0, 0, 0};

@@ -6,9 +6,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <span>
 #include <tuple>
-#include <vector>
 
 #include "geometry/disk.hpp"
 #include "geometry/sphere.hpp"
@@ -18,6 +16,7 @@
 #include "math/gauss_legendre.hpp"
 #include "math/square.hpp"
 #include "near.hpp"
+#include "polygons.hpp"
 #include "radiometry/cap_overlap.hpp"
 #include "radiometry/disk_solid_angle.hpp"
 #include "radiometry/polygon_solid_angle.hpp"
@@ -27,20 +26,15 @@
 
 using namespace sr;
 using test::near;
+using test::Points;
+using test::rectangle;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
-
-using Points = std::vector<Vector3<double>>;
+using std::numbers::pi;
 
 double omega(const Points& polygon) {
-    return solid_angle(std::span<const Vector3<double>>(polygon)).value();
-}
-
-/// The points (x, y, z) between x0 and x1, y0 and y1.
-Points rectangle(double x0, double x1, double y0, double y1, double z) {
-    return {{x0, y0, z}, {x1, y0, z}, {x1, y1, z}, {x0, y1, z}};
+    return solid_angle(polygon).value();
 }
 
 /// The integral over a cone about z of the angles in a second cone, ring after ring: an overlap by quadrature.
