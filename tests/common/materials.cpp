@@ -7,6 +7,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "bsdf_laws.hpp"
 #include "material/lobe_sum.hpp"
 #include "math/degrees.hpp"
 #include "sampling/rng.hpp"
@@ -14,12 +15,8 @@
 namespace {
 
 using namespace sr;
-using V = Vector3<double>;
-
-/// The unit vector at an angle [degrees] to the normal, in the plane y = 0.
-V at(double degrees) {
-    return {std::sin(radians(degrees)), 0, std::cos(radians(degrees))};
-}
+using test::at_angle;
+using V = test::Direction;
 
 // What may be evaluated, and what only sampled, is known to the compiler.
 static_assert(Bsdf<Diffuse<float>, float> && Bsdf<Diffuse<double>, double>);
@@ -77,18 +74,18 @@ TEST_CASE("F6: radiance is scaled by n^2 where it is refracted, importance is no
     // radiance that arrives from the air, seen inside: L_t = (1 - R) n^2 L_i
     CHECK(std::abs(glass.branches({0, 0, -1}, TransportMode::radiance).refracted->weight / 2.16 - 1) <=
           1e-14);
-    const V inside = *refract(at(60), 1.5);
+    const V inside = *refract(at_angle(60), 1.5);
     CHECK(std::abs(glass.branches(inside, TransportMode::radiance).refracted->weight / 2.0493298961950212 -
                    1) <= 1e-14);
     for (const double degrees : {0.0, 30.0, 60.0, 89.0}) {
-        const auto both = glass.branches(at(degrees), TransportMode::importance);
+        const auto both = glass.branches(at_angle(degrees), TransportMode::importance);
         CHECK(std::abs(both.reflected.weight + both.refracted->weight - 1) <= 1e-15);
     }
 }
 
 TEST_CASE("dielectric: what is drawn counts what its branch does, as often as it is drawn") {
     const Dielectric glass{1.5};
-    const V          wo   = at(75);
+    const V          wo   = at_angle(75);
     const auto       both = glass.branches(wo, TransportMode::radiance);
     const double     R    = both.reflected.weight;
     CHECK(std::abs(R - 0.25306056299031967) <= 1e-13);
@@ -112,7 +109,7 @@ TEST_CASE("dielectric: a number of exactly 1 draws what is there") {
         CHECK(one->wi == reflect(wo));
         CHECK(one->weight == 1);
     }
-    CHECK(glass.sample(at(75), {1, 1}, TransportMode::radiance)->wi.z < 0);
+    CHECK(glass.sample(at_angle(75), {1, 1}, TransportMode::radiance)->wi.z < 0);
 }
 
 TEST_CASE("dielectric: an impossible index of refraction is refused by name and value") {
@@ -125,7 +122,7 @@ TEST_CASE("dielectric: an impossible index of refraction is refused by name and 
 TEST_CASE("lobe sum: f adds up, and samples count f cos / pdf of the whole") {
     const Spectrum        red{0.5F, 0.2F, 0.1F}, grey{0.3F, 0.3F, 0.3F};
     const LobeSum<double> sum{{{red, Diffuse<double>{}}, {grey, Mirror<double>{}}}};
-    const V               wo = at(40), wi = at(-10);
+    const V               wo = at_angle(40), wi = at_angle(-10);
     CHECK(std::abs(sum.f(wo, wi).r - 0.5F * std::numbers::inv_pi_v<float>) <= 1e-7F);
 
     // 0.8 / 3 and 0.3: the lobes are chosen in the ratio of their mean weights

@@ -25,7 +25,7 @@ using test::near;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 template <class A, class B>
 concept Addable = requires(A a, B b) {

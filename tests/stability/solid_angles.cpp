@@ -5,7 +5,6 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <tuple>
 
@@ -28,7 +27,7 @@ using test::within_factor_3;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 template <class T>
 double cured_sphere(double d) {
