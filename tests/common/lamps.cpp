@@ -24,7 +24,7 @@ void add_quad(Scene& scene, const std::array<Vector3<double>, 4>& corners, std::
     const auto first = std::uint32_t(scene.mesh.vertices.size());
     scene.mesh.vertices.insert(scene.mesh.vertices.end(), corners.begin(), corners.end());
     scene.mesh.faces.push_back({first, first + 1, first + 2});
-    scene.mesh.faces.push_back({first, first + 2, first + 3});
+    scene.mesh.faces.push_back({first + 2, first + 3, first});
     scene.material_of_face.insert(scene.material_of_face.end(), 2, material);
 }
 
