@@ -7,7 +7,6 @@
 #include <concepts>
 #include <numbers>
 
-#include "math/square.hpp"
 #include "math/vector.hpp"
 #include "sampling/pdf.hpp"
 

@@ -3,7 +3,6 @@
 
 #include <doctest/doctest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <functional>
@@ -11,8 +10,6 @@
 
 #include "material/fresnel.hpp"
 #include "sampling/choice.hpp"
-#include "sampling/rng.hpp"
-#include "statistics/tests.hpp"
 #include "transport/single_directions.hpp"
 
 using namespace sr;

@@ -4,10 +4,8 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <tuple>
-#include <utility>
 
 #include "../../chapters/06_materials/schlick.hpp"
 #include "../../chapters/06_materials/textbook.hpp"
