@@ -52,7 +52,7 @@ struct Shot {
 
 /// How a shot is brought into T: scaled and moved away; and if its triangle belongs to a mesh with coordinates of its
 /// own, moved there before it is rounded. The ray's direction stays.
-struct Place {
+struct Displacement {
     double scale = 1, distance = 0;
     bool   local = false;
 
@@ -62,7 +62,7 @@ struct Place {
 };
 
 template <std::floating_point T>
-[[nodiscard]] bool is_hit(const Shot& shot, Place place, const auto& intersect) {
+[[nodiscard]] bool is_hit(const Shot& shot, Displacement place, const auto& intersect) {
     const auto in         = [&](Vector3<double> p) { return Vector3<T>(place(p)); };
     const auto& [a, b, c] = shot.triangle;
     const Ray<T> ray{in(shot.ray.origin), Vector3<T>(shot.ray.direction)};

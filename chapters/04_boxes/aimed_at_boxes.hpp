@@ -17,7 +17,7 @@
 
 namespace sr {
 
-enum class Aim { corner, edge, interior };
+enum class BoxPart { corner, edge, interior };
 
 /// A box, and a ray towards it.
 struct AimedRay {
@@ -26,7 +26,7 @@ struct AimedRay {
 };
 
 /// A box at coordinates up to 10, its sides at most `size`, and a ray from a point of the same space.
-[[nodiscard]] inline AimedRay aimed_at_box(Aim aim, double size, Rng& rng) {
+[[nodiscard]] inline AimedRay aimed_at_box(BoxPart part, double size, Rng& rng) {
     const auto uniform = [&](double low, double high) { return low + (high - low) * rng.uniform<double>(); };
     AimedRay   result;
     Vec3       target;
@@ -36,7 +36,7 @@ struct AimedRay {
         result.box.min[axis]    = float(uniform(-10, 10));
         result.box.max[axis]    = float(result.box.min[axis] + uniform(0, size));
         const double between    = uniform(0, 1);
-        const bool   free       = aim == Aim::interior || (aim == Aim::edge && axis == free_axis);
+        const bool   free       = part == BoxPart::interior || (part == BoxPart::edge && axis == free_axis);
         const double share      = free ? between : between < 0.5 ? 0 : 1;
         target[axis] =
             float(result.box.min[axis] + share * (double(result.box.max[axis]) - result.box.min[axis]));
@@ -95,14 +95,14 @@ private:
 };
 
 /// Rays at a place of boxes whose sides are at most `size`.
-[[nodiscard]] inline LostHits lost_hits(Aim aim, double size, int rays, const std::vector<double>& paddings,
-                                        int threads) {
+[[nodiscard]] inline LostHits lost_hits(BoxPart part, double size, int rays,
+                                        const std::vector<double>& paddings, int threads) {
     constexpr int side = 64;
     LossCounter   counter(paddings);
     for_each_pixel(side, side, {.threads = threads}, [&](int x, int y) {
         Rng rng{1, x, y, 0};
         for (int i = 0; i < rays / (side * side); ++i) {
-            const AimedRay aimed = aimed_at_box(aim, size, rng);
+            const AimedRay aimed = aimed_at_box(part, size, rng);
             if (truly_hits(aimed)) counter.count(aimed.ray, aimed.box);
         }
     });

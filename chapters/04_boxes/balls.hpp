@@ -11,7 +11,7 @@
 namespace sr {
 
 /// Sums over all nodes and leaves below the root: twice as much surface, twice as many random lines enter.
-struct Surfaces {
+struct SurfaceSums {
     double boxes = 0, balls = 0;
 };
 
@@ -32,8 +32,8 @@ struct Surfaces {
     return double(radius);
 }
 
-[[nodiscard]] inline Surfaces surfaces(const HierarchyTree<float>& tree) {
-    Surfaces sum;
+[[nodiscard]] inline SurfaceSums surfaces(const HierarchyTree<float>& tree) {
+    SurfaceSums sum;
     for (const auto& node : tree.nodes) {
         for (std::size_t side = 0; side < 2; ++side) {
             const double r = radius_around(tree, node.child[side], node.box[side].centre());

@@ -29,12 +29,12 @@ inline void collect_boxes(const HierarchyTree<float>& tree, HierarchyNode<float>
 }
 
 /// Which vertices are joined to which.
-using Neighbours = std::map<std::uint32_t, std::set<std::uint32_t>>;
+using Edges = std::map<std::uint32_t, std::set<std::uint32_t>>;
 
 /// The edges of a mesh in the plane y = 0.
-[[nodiscard]] inline Neighbours edges_in_the_middle(const Mesh<double>& mesh) {
+[[nodiscard]] inline Edges edges_in_the_middle(const Mesh<double>& mesh) {
     const auto inside = [&](std::uint32_t vertex) { return std::abs(mesh.vertices[vertex].y) < 1e-9; };
-    Neighbours edges;
+    Edges      edges;
     for (const auto& face : mesh.faces) {
         for (std::size_t i = 0; i < 3; ++i) {
             const auto a = face[i], b = face[(i + 1) % 3];
@@ -47,7 +47,7 @@ using Neighbours = std::map<std::uint32_t, std::set<std::uint32_t>>;
 }
 
 /// Goes along edges that nobody went along before, until there is none. @return the vertices on the way
-[[nodiscard]] inline std::vector<std::uint32_t> walk_edges(Neighbours& edges, std::uint32_t from) {
+[[nodiscard]] inline std::vector<std::uint32_t> walk_edges(Edges& edges, std::uint32_t from) {
     std::vector<std::uint32_t> way{from};
     while (!edges[from].empty()) {
         const auto to = *edges[from].begin();
@@ -68,7 +68,7 @@ inline void draw_outline(course::Diagram diagram, double left) {
             line.emplace_back(left + mesh.vertices[vertex].x, mesh.vertices[vertex].z);
         if (line.size() > 1) diagram.line(line, {course::Ink::grey});
     };
-    const Neighbours all = edges;
+    const Edges all = edges;
     for (const auto& [vertex, neighbours] : all)
         if (neighbours.size() % 2 == 1) draw(vertex);  // the ends first, for long lines
     for (const auto& [vertex, neighbours] : all) draw(vertex);

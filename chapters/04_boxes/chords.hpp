@@ -33,7 +33,7 @@ struct Chords {
 };
 
 [[nodiscard]] inline Chords measure_chords(const ConvexBody& body, const Draw& draw) {
-    const Ball around{.radius = body.circumradius};
+    const Sphere<double> around{{0, 0, 0}, body.circumradius};
     return over_lines<Chords>(around, draw, [&](Chords& chords, const Ray<double>& line) {
         const auto inside = clip(body, line);
         chords.add(inside.max - inside.min, !inside.empty());
@@ -50,7 +50,7 @@ struct Chords {
 [[nodiscard]] inline Running measure_nested(const ConvexBody& inner, const ConvexBody& outer,
                                             const Draw&                    draw,
                                             std::optional<Vector3<double>> eye = std::nullopt) {
-    const Ball around{.radius = outer.circumradius};
+    const Sphere<double> around{{0, 0, 0}, outer.circumradius};
     return over_lines<Running>(around, draw, [&](Running& met, Ray<double> line) {
         if (eye) line.origin = *eye;
         if (!clip(outer, line).empty()) met.add(clip(inner, line).empty() ? 0 : 1);

@@ -9,21 +9,17 @@
 #include <vector>
 
 #include "geometry/ray.hpp"
+#include "geometry/sphere.hpp"
 #include "math/frame.hpp"
 #include "sampling/rng.hpp"
 #include "transport/tiles.hpp"
 
 namespace sr {
 
-/// A ball that holds all that the lines are to meet.
-struct Ball {
-    Vector3<double> centre{0, 0, 0};
-    double          radius = 1;
-};
-
 /// A line that meets the ball, each as likely: its direction is uniform on the sphere, and where it passes the
 /// centre is uniform in the disk across it. The direction has length 1, and all of the ball is in front of the origin.
-[[nodiscard]] inline Ray<double> isotropic_line(const Ball& ball, Rng& rng) {
+/// @param ball  around all that lines are to meet
+[[nodiscard]] inline Ray<double> isotropic_line(const Sphere<double>& ball, Rng& rng) {
     const double z = 1 - 2 * rng.uniform<double>(), around = 2 * std::numbers::pi * rng.uniform<double>();
     const double r = std::sqrt(std::fmax(0.0, 1 - z * z));
     const Vector3<double> d{r * std::cos(around), r * std::sin(around), z};
@@ -42,7 +38,7 @@ struct Draw {
 
 /// What `see(result, line)` makes of many lines, with `Result::merge` over blocks of a fixed size.
 template <class Result, class See>
-[[nodiscard]] Result over_lines(const Ball& ball, const Draw& draw, const See& see) {
+[[nodiscard]] Result over_lines(const Sphere<double>& ball, const Draw& draw, const See& see) {
     constexpr int       side = 32;  // x side blocks, in tiles of 16 x 16
     std::vector<Result> parts(side * side);
     for_each_pixel(side, side, {.threads = draw.threads}, [&](int x, int y) {

@@ -48,7 +48,7 @@ struct Climb {
                                                      std::uint64_t seed) {
     Box<float> box;
     for (std::size_t face = 0; face < mesh.faces.size(); ++face) box.include(bounds(mesh.triangle(face)));
-    const Ball              ball = ball_around(box);
+    const auto              ball = ball_around(box);
     std::vector<Ray<float>> rays;
     for (int i = 0; rays.size() < count; ++i) {
         Rng              rng{seed, i, 0, 0};

@@ -50,9 +50,9 @@ inline std::map<std::string, LostHits> chart_lost_hits(course::Chapter& chapter)
     const int                       threads  = chapter.options().threads;
     const auto                      paddings = paddings_up_to_three_units();
     std::map<std::string, LostHits> lost;
-    for (const auto& [place, aim] :
-         {std::pair{"corner", Aim::corner}, {"edge", Aim::edge}, {"interior", Aim::interior}})
-        lost.emplace(place, lost_hits(aim, 0.01, 400'000, paddings, threads));
+    for (const auto& [place, part] :
+         {std::pair{"corner", BoxPart::corner}, {"edge", BoxPart::edge}, {"interior", BoxPart::interior}})
+        lost.emplace(place, lost_hits(part, 0.01, 400'000, paddings, threads));
     lost.emplace("vertex of a teapot", lost_vertices(convert<float>(teapot(40)), paddings, threads));
     for (const auto& [place, percent] : lost) add_to_chart(chart, place, percent);
     return lost;

@@ -51,7 +51,7 @@ private:
     BoxRay<float> boxes_;
 };
 
-[[nodiscard]] inline Ball ball_around(const Box<float>& box) {
+[[nodiscard]] inline Sphere<double> ball_around(const Box<float>& box) {
     return {Vector3<double>(box.centre()), double(length(box.size())) / 2};
 }
 

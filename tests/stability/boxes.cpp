@@ -67,10 +67,11 @@ TEST_CASE("S8: minus zero is not less than zero, and its reciprocal is minus inf
 }
 
 TEST_CASE("S9: rounding loses true hits at corners and edges, padding none") {
-    const auto lost = [](Aim aim) {
-        return lost_hits(aim, 0.01, 400'000, {1, double(ize_padding<float>)}, 0);
+    const auto lost = [](BoxPart part) {
+        return lost_hits(part, 0.01, 400'000, {1, double(ize_padding<float>)}, 0);
     };
-    const LostHits corner = lost(Aim::corner), edge = lost(Aim::edge), interior = lost(Aim::interior);
+    const LostHits corner = lost(BoxPart::corner), edge = lost(BoxPart::edge),
+                   interior = lost(BoxPart::interior);
     CHECK(corner.padded[0] >= 11.24 / 3);  // the catalogue's rates, within a factor of 3
     CHECK(corner.padded[0] <= 11.24 * 3);
     CHECK(edge.padded[0] >= 4.81 / 3);
