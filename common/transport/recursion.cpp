@@ -7,6 +7,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "radiometry/solid_angle.hpp"
 #include "scene/lamps.hpp"
 #include "transport/single_directions.hpp"
 
@@ -69,7 +70,9 @@ Spectrum RecursiveTracer::from_lights(const At& at, const LobeSum<float>& scatte
         ++tree.count.shadow_rays;
         if (casters_.occluded(between(at.point(), Vec3(light.position())), before_the_end<float>)) continue;
         // (7.2) the irradiance I cos / r^2
-        L = L + std::abs(wi.z) / dot(to_light, to_light) * (f * light.intensity());
+        const auto E = Intensity<Spectrum>{light.intensity()} *
+                       solid_angle_per_area(std::abs(wi.z), Length<float>{length(to_light)});
+        L = L + f * E.value();
     }
     return L;
 }

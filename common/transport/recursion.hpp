@@ -6,9 +6,9 @@
 ///     RayCount count;
 ///     const Spectrum L = tracer.radiance(ray, rng, count);
 ///
-/// Glass casts shadows as if it were opaque. What shines casts none: a lamp's light stands in it. Nothing lights a
-/// surface but the lights themselves: neither what a mirror or a lens throws on it, a caustic, nor the surfaces
-/// around it.
+/// Only single directions are followed: Phong's lobes, however narrow, show the lights and nothing else. Glass casts
+/// shadows as if it were opaque. What shines casts none: a lamp's light stands in it. Nothing lights a surface but the
+/// lights themselves: neither what a mirror or a lens throws on it, a caustic, nor the surfaces around it.
 /// @see Whitted, An Improved Illumination Model for Shaded Display, CACM 23(6), 1980
 
 #include <cstdint>
