@@ -10,7 +10,8 @@ namespace sr {
 class PointLight {
 public:
     /// @param intensity  flux per solid angle [W/sr]
-    /// @throws std::invalid_argument if a channel of the intensity is negative or not finite, or the position is not
+    /// @throws std::invalid_argument if a channel of the intensity is negative or not finite, or the position is
+    ///         not, also in float
     PointLight(const Vector3<double>& position, Spectrum intensity);
 
     [[nodiscard]] const Vector3<double>& position() const { return position_; }

@@ -3,9 +3,9 @@
 #include "scene/obj_words.hpp"
 
 #include <charconv>
-#include <cmath>
-#include <limits>
 #include <span>
+
+#include "math/finite_in_float.hpp"
 
 namespace sr {
 
@@ -18,7 +18,7 @@ std::optional<double> parse_number(std::string_view word) {
     double value            = 0;
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
     if (error != std::errc{} || end != word.data() + word.size()) return {};
-    if (!(std::abs(value) <= std::numeric_limits<float>::max())) return {};  // nor nan and inf
+    if (!finite_in_float(value)) return {};  // nor nan and inf
     return value;
 }
 

@@ -5,11 +5,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <utility>
 #include <variant>
+
+#include "math/finite_in_float.hpp"
 
 namespace sr {
 
@@ -41,11 +42,35 @@ void check_emission(const std::string& what, Spectrum L) {
             fmt::format("{} emits ({}, {}, {}); each must be finite and not negative", what, L.r, L.g, L.b));
 }
 
-void check_material_index(const char* of, std::size_t i, std::uint32_t material, const Scene& scene) {
-    if (!(material < scene.materials.size()))
+void check_index(const char* of, std::size_t i, const char* what, std::size_t index, std::size_t count) {
+    if (!(index < count))
         throw std::invalid_argument(
-            fmt::format("{} {} is of material {}, of which there are {}; must be less", of, i, material,
-                        scene.materials.size()));
+            fmt::format("{} {} has {} {}, of which there are {}; must be less", of, i, what, index, count));
+}
+
+void check_place(const char* of, std::size_t i, const char* what, const Vector3<double>& p) {
+    if (!finite_in_float(p))
+        throw std::invalid_argument(fmt::format(
+            "{} {} has {} at ({}, {}, {}); each must be finite, also in float", of, i, what, p.x, p.y, p.z));
+}
+
+void check_face(const Scene& scene, std::size_t i) {
+    check_index("face", i, "material", scene.material_of_face[i], scene.materials.size());
+    for (const auto vertex : scene.mesh.faces[i]) {
+        check_index("face", i, "vertex", vertex, scene.mesh.vertices.size());
+        check_place("face", i, "a corner", scene.mesh.vertices[vertex]);
+    }
+}
+
+void check_ball(const Scene& scene, std::size_t i) {
+    check_index("ball", i, "material", scene.balls[i].material, scene.materials.size());
+    const auto& [centre, radius] = scene.balls[i].sphere;
+    check_place("ball", i, "its centre", centre);
+    using Float = std::numeric_limits<float>;
+    if (!(radius >= Float::min() && radius <= Float::max()))  // a smaller float has fewer digits
+        throw std::invalid_argument(
+            fmt::format("ball {} has a radius of {}; must be from {} to {}, as in float", i, radius,
+                        Float::min(), Float::max()));
 }
 
 }  // namespace
@@ -57,19 +82,8 @@ void check_scene(const Scene& scene) {
     if (scene.material_of_face.size() != scene.mesh.faces.size())
         throw std::invalid_argument(fmt::format("{} faces, and materials for {} of them; must be as many",
                                                 scene.mesh.faces.size(), scene.material_of_face.size()));
-    for (std::size_t i = 0; i < scene.material_of_face.size(); ++i)
-        check_material_index("face", i, scene.material_of_face[i], scene);
-    for (std::size_t i = 0; i < scene.balls.size(); ++i) {
-        check_material_index("ball", i, scene.balls[i].material, scene);
-        const auto& [centre, radius] = scene.balls[i].sphere;
-        if (!(radius > 0 && std::isfinite(radius)))
-            throw std::invalid_argument(
-                fmt::format("ball {} has a radius of {}; must be positive and finite", i, radius));
-        if (!(std::isfinite(centre.x) && std::isfinite(centre.y) && std::isfinite(centre.z)))
-            throw std::invalid_argument(
-                fmt::format("ball {} has its centre at ({}, {}, {}); each must be finite", i, centre.x,
-                            centre.y, centre.z));
-    }
+    for (std::size_t i = 0; i < scene.mesh.faces.size(); ++i) check_face(scene, i);
+    for (std::size_t i = 0; i < scene.balls.size(); ++i) check_ball(scene, i);
 }
 
 }  // namespace sr

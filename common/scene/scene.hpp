@@ -51,8 +51,9 @@ struct Scene {
     Spectrum                   background       = {};  ///< radiance from where nothing is [W/(m^2 sr)]
 };
 
+/// What is traced in float must be possible there; the lights see to that themselves.
 /// @throws std::invalid_argument that names what can't be: a material or a background that emits less than nothing,
-///         one that is missing, a ball without a radius or a place
+///         a material or a vertex that is missing, a corner or a ball too far away, a ball too small or too large
 void check_scene(const Scene& scene);
 
 }  // namespace sr

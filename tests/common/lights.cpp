@@ -34,7 +34,9 @@ TEST_CASE("lights: one that can't be is refused by name and value") {
     CHECK_THROWS_WITH((PointLight{{0, 0, 0}, {0, 0, HUGE_VALF}}),
                       "intensity of a point light is (0, 0, inf); each must be finite and not negative");
     CHECK_THROWS_WITH((PointLight{{0, HUGE_VAL, 0}, {1, 1, 1}}),
-                      "position of a point light is (0, inf, 0); each must be finite");
+                      "position of a point light is (0, inf, 0); each must be finite, also in float");
+    CHECK_THROWS_WITH((PointLight{{1e300, 0, 0}, {1, 1, 1}}),
+                      "position of a point light is (1e+300, 0, 0); each must be finite, also in float");
     CHECK(PointLight{{1, 2, 3}, {4, 5, 6}}.intensity() == Spectrum{4, 5, 6});
 }
 
@@ -55,20 +57,49 @@ TEST_CASE("scene: what can't be is refused by name and value") {
 
     Scene missing             = ball_of(diffuse_material("chalk", {}));
     missing.balls[0].material = 1;
-    CHECK_THROWS_WITH(check_scene(missing), "ball 0 is of material 1, of which there are 1; must be less");
-    for (const double radius : {0.0, -1.0, std::nan("")}) {
-        Scene flat                  = ball_of(diffuse_material("chalk", {}));
-        flat.balls[0].sphere.radius = radius;
-        CHECK_THROWS_WITH(
-            Surfaces<float>{flat},
-            fmt::format("ball 0 has a radius of {}; must be positive and finite", radius).c_str());
-    }
-    Scene nowhere                  = ball_of(diffuse_material("chalk", {}));
-    nowhere.balls[0].sphere.centre = {0, std::nan(""), HUGE_VAL};
-    CHECK_THROWS_WITH(check_scene(nowhere), "ball 0 has its centre at (0, nan, inf); each must be finite");
+    CHECK_THROWS_WITH(check_scene(missing), "ball 0 has material 1, of which there are 1; must be less");
     Scene bare = cornell_box();
     bare.material_of_face.pop_back();
     CHECK_THROWS_WITH(check_scene(bare), "32 faces, and materials for 31 of them; must be as many");
+}
+
+TEST_CASE("scene: a ball must have a place and a radius, also in float") {
+    Scene scene = ball_of(diffuse_material("chalk", {}));
+    for (const double radius : {0.0, -1.0, 1e-60, 1e60, std::nan("")}) {
+        scene.balls[0].sphere.radius = radius;
+        CHECK_THROWS_WITH(
+            Surfaces<float>{scene},
+            fmt::format("ball 0 has a radius of {}; must be from 1.1754944e-38 to 3.4028235e+38, as in float",
+                        radius)
+                .c_str());
+    }
+    scene.balls[0].sphere = {{0, std::nan(""), HUGE_VAL}, 1};
+    CHECK_THROWS_WITH(check_scene(scene),
+                      "ball 0 has its centre at (0, nan, inf); each must be finite, also in float");
+}
+
+TEST_CASE("scene: a face must have vertices that there are, each at a place, also in float") {
+    Scene scene = cornell_box();
+    CHECK_NOTHROW(check_scene(scene));
+    const auto last     = std::uint32_t(scene.mesh.vertices.size() - 1);
+    scene.mesh.faces[3] = {0, 1, last + 1};
+    CHECK_THROWS_WITH(
+        Surfaces<float>{scene},
+        fmt::format("face 3 has vertex {0}, of which there are {0}; must be less", last + 1).c_str());
+    scene.mesh.faces[3]       = {0, 1, 2};
+    scene.material_of_face[4] = 9;
+    CHECK_THROWS_WITH(check_scene(scene), "face 4 has material 9, of which there are 4; must be less");
+    scene.material_of_face[4] = 0;
+    for (const double far : {1e300, -1e39, HUGE_VAL, std::nan("")}) {
+        scene.mesh.vertices.push_back({0, 0, far});
+        CHECK_NOTHROW(check_scene(scene));  // no face has it
+        scene.mesh.faces[5] = {0, std::uint32_t(scene.mesh.vertices.size() - 1), 1};
+        CHECK_THROWS_WITH(
+            check_scene(scene),
+            fmt::format("face 5 has a corner at (0, 0, {}); each must be finite, also in float", far)
+                .c_str());
+        scene.mesh.faces[5] = {0, 1, 2};
+    }
 }
 
 TEST_CASE("scene: the reflectance is the sum of the lobes' weights; light goes through glass only") {
