@@ -30,8 +30,8 @@ public:
     /// @throws std::invalid_argument if it is not positive and finite
     explicit Dielectric(T index_of_refraction) : n_{index_of_refraction} {
         if (!(n_ > 0 && std::isfinite(n_)))
-            throw std::invalid_argument(
-                fmt::format("index of refraction is {}; it must be positive, 1.5 of glass", n_));
+            throw std::invalid_argument(fmt::format(
+                "index of refraction is {}; it must be positive and finite, such as 1.5 for glass", n_));
     }
 
     [[nodiscard]] T index_of_refraction() const { return n_; }

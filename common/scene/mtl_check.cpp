@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "scene/obj_words.hpp"
@@ -16,23 +17,34 @@ namespace {
 
 using std::filesystem::path;
 
-/// Three numbers from 0 to the limit.
-std::array<double, 3> colour(const path& file, const Statement& statement, std::string_view what,
+/// What a property of a material is, and what it would have to be.
+[[noreturn]] void refuse_value(const path& file, const Statement& statement, std::string_view right) {
+    const auto values = fmt::format("{}", fmt::join(std::span(statement.words).subspan(1), " "));
+    refuse(file, statement.line, "{} is {}; must be {}", statement.words[0], in_quotes(values), right);
+}
+
+/// The three numbers after the keyword.
+std::array<double, 3> colour(const path& file, const Statement& statement, std::string_view right,
                              double limit) {
     const auto rgb  = numbers_of(file, statement);
     const bool good = std::ranges::all_of(rgb, [&](double v) { return v >= 0 && v <= limit; });
-    if (rgb.size() != 3 || !good) {
-        refuse(file, statement.line, "{} {} must be three numbers {}", what, statement.words[0],
-               limit == 1 ? "from 0 to 1" : "of 0 or more");
-    }
+    if (rgb.size() != 3 || !good) refuse_value(file, statement, right);
     return {rgb[0], rgb[1], rgb[2]};
+}
+
+std::array<double, 3> reflectance(const path& file, const Statement& statement) {
+    return colour(file, statement, "a reflectance, three numbers from 0 to 1", 1);
+}
+
+std::array<double, 3> emission(const path& file, const Statement& statement) {
+    return colour(file, statement, "a radiance, three numbers of 0 or more",
+                  std::numeric_limits<double>::infinity());
 }
 
 /// The one number after the keyword.
 double number(const path& file, const Statement& statement, std::string_view right, auto is_right) {
     const auto values = numbers_of(file, statement);
-    if (values.size() != 1 || !is_right(values[0]))
-        refuse(file, statement.line, "{} must be {}", statement.words[0], right);
+    if (values.size() != 1 || !is_right(values[0])) refuse_value(file, statement, right);
     return values[0];
 }
 
@@ -78,16 +90,16 @@ void MtlLibrary::property(const path& file, const Statement& statement) {
     constexpr std::array<std::string_view, 5> known{"Kd", "Ks", "Ke", "Ni", "illum"};
     if (std::ranges::find(known, keyword) == known.end()) return;
     if (draft_.name.empty()) refuse(file, statement.line, "{} of no material; must follow newmtl", keyword);
-    if (keyword == "Kd") draft_.Kd = colour(file, statement, "reflectance", 1);
-    if (keyword == "Ks") draft_.Ks = colour(file, statement, "reflectance", 1);
-    if (keyword == "Ke")
-        draft_.Ke = colour(file, statement, "emission", std::numeric_limits<double>::infinity());
+    if (keyword == "Kd") draft_.Kd = reflectance(file, statement);
+    if (keyword == "Ks") draft_.Ks = reflectance(file, statement);
+    if (keyword == "Ke") draft_.Ke = emission(file, statement);
     if (keyword == "Ni")
-        draft_.Ni = number(file, statement, "an index of refraction from 0.001 to 10, 1.5 of glass",
+        draft_.Ni = number(file, statement, "an index of refraction from 0.001 to 10, such as 1.5 for glass",
                            [](double n) { return n >= 0.001 && n <= 10; });
     if (keyword == "illum")
-        draft_.illum = int(number(file, statement, "the number of an illumination model, 0 to 10",
-                                  [](double n) { return n >= 0 && n <= 10 && n == int(n); }));
+        draft_.illum =
+            int(number(file, statement, "the number of an illumination model, 0 to 10, such as 4 for glass",
+                       [](double n) { return n >= 0 && n <= 10 && n == int(n); }));
 }
 
 void MtlLibrary::end(const path& file) {

@@ -116,7 +116,8 @@ TEST_CASE("dielectric: an impossible index of refraction is refused by name and 
     for (const double n : {0.0, -1.5, std::nan(""), HUGE_VAL}) {
         CHECK_THROWS_AS(Dielectric<double>{n}, std::invalid_argument);
     }
-    CHECK_THROWS_WITH(Dielectric<double>{0}, "index of refraction is 0; it must be positive, 1.5 of glass");
+    CHECK_THROWS_WITH(Dielectric<double>{0},
+                      "index of refraction is 0; it must be positive and finite, such as 1.5 for glass");
 }
 
 TEST_CASE("lobe sum: f adds up, and samples count f cos / pdf of the whole") {

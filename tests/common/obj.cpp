@@ -207,11 +207,11 @@ TEST_CASE("mtl: colours must be possible") {
           "test.mtl:1: newmtl with 0 words after it; must be one name without blanks");
     CHECK(complaint_of_mtl("Kd 1 1 1\n") == "test.mtl:1: Kd of no material; must follow newmtl");
     CHECK(complaint_of_mtl("newmtl a\nKd 0.1 0.2\n") ==
-          "test.mtl:2: reflectance Kd must be three numbers from 0 to 1");
+          "test.mtl:2: Kd is '0.1 0.2'; must be a reflectance, three numbers from 0 to 1");
     CHECK(complaint_of_mtl("newmtl a\nKd 0.1 0.2 1.1\n") ==
-          "test.mtl:2: reflectance Kd must be three numbers from 0 to 1");
+          "test.mtl:2: Kd is '0.1 0.2 1.1'; must be a reflectance, three numbers from 0 to 1");
     CHECK(complaint_of_mtl("newmtl a\nKe 1 -1 1\n") ==
-          "test.mtl:2: emission Ke must be three numbers of 0 or more");
+          "test.mtl:2: Ke is '1 -1 1'; must be a radiance, three numbers of 0 or more");
     for (const std::string bad : {"nan", "inf", "1e39", "red"}) {
         CAPTURE(bad);
         CHECK(complaint_of_mtl("newmtl a\nKe 1 1 " + bad + "\n") ==
@@ -265,16 +265,18 @@ TEST_CASE("mtl: mirrors and glass must be possible") {
     CHECK(complaint_of_mtl("newmtl a\nillum 3\nKd 0.5 0.5 0.5\nKs 0.2 0.6 0.2\n") ==
           "test.mtl:1: material 'a' reflects Kd + Ks = 1.1; must be at most 1");
     CHECK(complaint_of_mtl("newmtl a\nKs 1.5 0 0\n") ==
-          "test.mtl:2: reflectance Ks must be three numbers from 0 to 1");
+          "test.mtl:2: Ks is '1.5 0 0'; must be a reflectance, three numbers from 0 to 1");
     for (const std::string bad : {"0", "-1.5", "1.5 1.5", "11", "0.0001", ""}) {
         CAPTURE(bad);
         CHECK(complaint_of_mtl("newmtl a\n\nNi " + bad + "\n") ==
-              "test.mtl:3: Ni must be an index of refraction from 0.001 to 10, 1.5 of glass");
+              "test.mtl:3: Ni is '" + bad +
+                  "'; must be an index of refraction from 0.001 to 10, such as 1.5 for glass");
     }
     for (const std::string bad : {"11", "-1", "2.5", ""}) {
         CAPTURE(bad);
         CHECK(complaint_of_mtl("newmtl a\nillum " + bad + "\n") ==
-              "test.mtl:2: illum must be the number of an illumination model, 0 to 10");
+              "test.mtl:2: illum is '" + bad +
+                  "'; must be the number of an illumination model, 0 to 10, such as 4 for glass");
     }
     CHECK(complaint_of_mtl("Ni 1.5\n") == "test.mtl:1: Ni of no material; must follow newmtl");
     CHECK(complaint_of_mtl("newmtl a\nNi nan\n") ==
