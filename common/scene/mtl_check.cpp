@@ -52,6 +52,8 @@ double number(const path& file, const Statement& statement, std::string_view rig
 
 MtlModel mtl_model(int illum) {
     switch (illum) {
+        case 2:
+            return MtlModel::phong;
         case 3:
         case 5:
             return MtlModel::mirror;
@@ -87,11 +89,14 @@ void MtlLibrary::begin(const path& file, const Statement& statement) {
 
 void MtlLibrary::property(const path& file, const Statement& statement) {
     const std::string_view                    keyword = statement.words[0];
-    constexpr std::array<std::string_view, 5> known{"Kd", "Ks", "Ke", "Ni", "illum"};
+    constexpr std::array<std::string_view, 6> known{"Kd", "Ks", "Ns", "Ke", "Ni", "illum"};
     if (std::ranges::find(known, keyword) == known.end()) return;
     if (draft_.name.empty()) refuse(file, statement.line, "{} of no material; must follow newmtl", keyword);
     if (keyword == "Kd") draft_.Kd = reflectance(file, statement);
     if (keyword == "Ks") draft_.Ks = reflectance(file, statement);
+    if (keyword == "Ns")
+        draft_.Ns = number(file, statement, "the exponent of highlights from 0 to 1000000, such as 20",
+                           [](double e) { return e >= 0 && e <= 1e6; });
     if (keyword == "Ke") draft_.Ke = emission(file, statement);
     if (keyword == "Ni")
         draft_.Ni = number(file, statement, "an index of refraction from 0.001 to 10, such as 1.5 for glass",
@@ -104,15 +109,26 @@ void MtlLibrary::property(const path& file, const Statement& statement) {
 
 void MtlLibrary::end(const path& file) {
     if (draft_.name.empty()) return;
-    const auto& [line, name, illum, Kd, Ks, Ke, Ni] = draft_;
-    for (std::size_t i = 0; i < 3; ++i) {
-        if (mtl_model(illum) == MtlModel::mirror && !(Kd[i] + Ks[i] <= 1))
-            refuse(file, line, "material {} reflects Kd + Ks = {}; must be at most 1", in_quotes(name),
-                   Kd[i] + Ks[i]);
-    }
-    text_ += fmt::format("newmtl {}\nillum {}\nKd {}\nKs {}\nKe {}\nNi {}\n", name, illum, fmt::join(Kd, " "),
-                         fmt::join(Ks, " "), fmt::join(Ke, " "), Ni);
+    limit_reflectance(file);
+    const auto& [line, name, illum, Kd, Ks, Ns, Ke, Ni] = draft_;
+    text_ += fmt::format("newmtl {}\nillum {}\nKd {}\nKs {}\nNs {}\nKe {}\nNi {}\n", name, illum,
+                         fmt::join(Kd, " "), fmt::join(Ks, " "), Ns, fmt::join(Ke, " "), Ni);
     draft_ = {};
+}
+
+/// What reflects more light than it gets can't be. Of highlights, which many programs write so, the colours hold; a
+/// mirror is refused.
+void MtlLibrary::limit_reflectance(const path& file) {
+    auto& [line, name, illum, Kd, Ks, Ns, Ke, Ni] = draft_;
+    const MtlModel model                          = mtl_model(illum);
+    if (model != MtlModel::phong && model != MtlModel::mirror) return;
+    const double most = std::max({Kd[0] + Ks[0], Kd[1] + Ks[1], Kd[2] + Ks[2]});
+    if (most <= 1) return;
+    const auto what = fmt::format("material {} reflects Kd + Ks = {}", in_quotes(name), most);
+    if (model == MtlModel::mirror) refuse(file, line, "{}; must be at most 1", what);
+    for (auto* const weights : {&Kd, &Ks})
+        for (double& weight : *weights) weight /= most;
+    notes_.push_back(fmt::format("{}:{}: {}; both are divided by that", file.string(), line, what));
 }
 
 }  // namespace sr

@@ -6,6 +6,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "scene/obj_statements.hpp"
 
@@ -14,8 +15,11 @@ namespace sr {
 /// Reflectance where a file names none: a neutral grey [1].
 inline constexpr double default_reflectance = 0.8;
 
+/// Phong's exponent where a file names none [1].
+inline constexpr double default_exponent = 20;
+
 /// What `illum`, the number of an illumination model, comes to.
-enum class MtlModel { diffuse, mirror, glass };
+enum class MtlModel { diffuse, phong, mirror, glass };
 [[nodiscard]] MtlModel mtl_model(int illum);
 
 /// The materials of all MTL files of an OBJ file, each checked when its statements are complete.
@@ -27,8 +31,11 @@ public:
     [[nodiscard]] bool contains(std::string_view material) const { return names_.contains(material); }
     [[nodiscard]] bool empty() const { return names_.empty(); }
 
-    /// All of them, reduced to newmtl, illum, Kd, Ks, Ke, Ni.
+    /// All of them, reduced to newmtl, illum, Kd, Ks, Ns, Ke, Ni.
     [[nodiscard]] const std::string& text() const { return text_; }
+
+    /// What is taken otherwise than it is written, "file:line: what is done instead" of each material.
+    [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
 
 private:
     /// The material whose statements are being read, and the line that began it.
@@ -38,6 +45,7 @@ private:
         int                   illum = 0;
         std::array<double, 3> Kd{default_reflectance, default_reflectance, default_reflectance};
         std::array<double, 3> Ks{};
+        double                Ns = default_exponent;
         std::array<double, 3> Ke{};
         double                Ni = 1.5;
     };
@@ -45,10 +53,12 @@ private:
     void begin(const std::filesystem::path& file, const Statement& statement);
     void property(const std::filesystem::path& file, const Statement& statement);
     void end(const std::filesystem::path& file);
+    void limit_reflectance(const std::filesystem::path& file);
 
     Draft                              draft_;
     std::set<std::string, std::less<>> names_;
     std::string                        text_;
+    std::vector<std::string>           notes_;
 };
 
 }  // namespace sr

@@ -21,6 +21,8 @@ LobeSum<float> scattering_of(const tinyobj::material_t& material) {
     switch (mtl_model(material.illum)) {
         case MtlModel::glass:
             return LobeSum<float>{{{{1, 1, 1}, Dielectric<float>{float(material.ior)}}}};
+        case MtlModel::phong:
+            return LobeSum<float>{{{Kd, Diffuse<float>{}}, {Ks, Phong<float>{float(material.shininess)}}}};
         case MtlModel::mirror:
             return LobeSum<float>{{{Kd, Diffuse<float>{}}, {Ks, Mirror<float>{}}}};
         default:
@@ -41,8 +43,10 @@ tinyobj::ObjReader parse(const CheckedObj& text, const std::filesystem::path& pa
 
 }  // namespace
 
-Scene read_obj(const std::filesystem::path& path) {
-    const tinyobj::ObjReader reader = parse(check_obj(path), path);
+Scene read_obj(const std::filesystem::path& path, const Note& note) {
+    const CheckedObj         checked = check_obj(path);
+    const tinyobj::ObjReader reader  = parse(checked, path);
+    for (const auto& line : checked.notes) note(line);
 
     Scene       scene;
     const auto& xyz = reader.GetAttrib().vertices;

@@ -139,8 +139,9 @@ CheckedObj check_obj(const path& file) {
         throw std::runtime_error(
             fmt::format("{}: no faces; must have a line such as f 1 2 3", file.string()));
     }
-    if (checker.known.library.empty()) return {checker.kept, {}};
-    return {"mtllib checked\n" + checker.kept, checker.known.library.text()};
+    const MtlLibrary& library = checker.known.library;
+    if (library.empty()) return {checker.kept, {}, {}};
+    return {"mtllib checked\n" + checker.kept, library.text(), library.notes()};
 }
 
 }  // namespace sr

@@ -8,12 +8,11 @@
 
 #include "geometry/box.hpp"
 #include "scene/lamps.hpp"
-#include "scene/obj.hpp"
 
 namespace sr {
 
-SceneView view_of_file(const std::filesystem::path& file, int side) {
-    Scene       scene = read_obj(file);
+SceneView view_of_file(const std::filesystem::path& file, int side, const Note& note) {
+    Scene       scene = read_obj(file, note);
     Box<double> box;
     for (const auto& face : scene.mesh.faces) {
         for (const auto vertex : face) box.include(scene.mesh.vertices[vertex]);
@@ -26,8 +25,8 @@ SceneView view_of_file(const std::filesystem::path& file, int side) {
             pinhole_camera<double>(2.6 * towards_eye, -towards_eye, {0, 1, 0}, 1.0, 0.85, side, side)};
 }
 
-SceneView lit_view_of_file(const std::filesystem::path& file, int side) {
-    SceneView view    = view_of_file(file, side);
+SceneView lit_view_of_file(const std::filesystem::path& file, int side, const Note& note) {
+    SceneView view    = view_of_file(file, side, note);
     view.scene.lights = lights_of_lamps(view.scene);
     if (view.scene.lights.empty()) {
         const Vector3<double> upper_left{-1.5, 2.5, 2};

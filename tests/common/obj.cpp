@@ -236,11 +236,20 @@ bool is(const WeightedLobe<float>& part, Spectrum weight) {
 
 }  // namespace
 
-TEST_CASE("mtl: illum chooses between paint, mirror and glass") {
-    for (const std::string illum : {"", "illum 0\n", "illum 1\n", "illum 2\n", "illum 8\n", "illum 10\n"}) {
+TEST_CASE("mtl: illum chooses between paint, highlights, mirror and glass") {
+    for (const std::string illum : {"", "illum 0\n", "illum 1\n", "illum 8\n", "illum 10\n"}) {
         const auto lobes = material("newmtl a\nKs 1 1 1\n" + illum + "Kd 0.5 0.25 0\n").scattering.lobes();
         REQUIRE(lobes.size() == 1);
         CHECK(is<Diffuse<float>>(lobes[0], {0.5F, 0.25F, 0}));
+    }
+    for (const auto& [Ns, e] : {std::pair{"", 20.0F}, {"Ns 0\n", 0.0F}, {"Ns 96.5\n", 96.5F}}) {
+        const auto  paint = material("newmtl a\nKd 0.5 0.25 0\nKs 0.5 0.25 1\nillum 2\n" + std::string(Ns));
+        const auto& lobes = paint.scattering.lobes();
+        REQUIRE(lobes.size() == 2);
+        CHECK(is<Diffuse<float>>(lobes[0], {0.5F, 0.25F, 0}));
+        REQUIRE(is<Phong<float>>(lobes[1], {0.5F, 0.25F, 1}));
+        CHECK(std::get<Phong<float>>(lobes[1].lobe).exponent() == e);
+        CHECK(std::get<Phong<float>>(lobes[1].lobe).greatest_albedo() == 1);
     }
     for (const std::string illum : {"3", "5"}) {
         const auto lobes =
@@ -261,6 +270,26 @@ TEST_CASE("mtl: illum chooses between paint, mirror and glass") {
     }
 }
 
+TEST_CASE(
+    "mtl: highlights that reflect more light than there is are weakened with their paint, which is noted") {
+    const ScratchFolder folder("obj_test");
+    write(folder, "test.mtl",
+          "newmtl shiny\nillum 2\nKd 0.75 0.25 0\nKs 0.25 1 0.5\n"
+          "newmtl good\nillum 2\nKd 0.75 0.25 0\nKs 0.25 0.75 0.5\n"
+          "newmtl paint\nKd 1 1 1\nKs 1 1 1\n");
+    const auto               obj = write(folder, "test.obj", "mtllib test.mtl\n" + square + "f 1 2 3\n");
+    std::vector<std::string> notes;
+    const Scene              scene = read_obj(obj, [&](std::string_view line) { notes.emplace_back(line); });
+    CHECK(notes == std::vector{(folder.path / "test.mtl").string() +
+                               ":1: material 'shiny' reflects Kd + Ks = 1.25; both are divided by that"});
+    const auto& shiny = scene.materials.at(0).scattering.lobes();
+    const auto& good  = scene.materials.at(1).scattering.lobes();
+    CHECK(shiny.at(0).weight == Spectrum{0.6F, 0.2F, 0});
+    CHECK(shiny.at(1).weight == Spectrum{0.2F, 0.8F, 0.4F});
+    CHECK(good.at(0).weight == Spectrum{0.75F, 0.25F, 0});
+    CHECK(good.at(1).weight == Spectrum{0.25F, 0.75F, 0.5F});
+}
+
 TEST_CASE("mtl: mirrors and glass must be possible") {
     CHECK(complaint_of_mtl("newmtl a\nillum 3\nKd 0.5 0.5 0.5\nKs 0.2 0.6 0.2\n") ==
           "test.mtl:1: material 'a' reflects Kd + Ks = 1.1; must be at most 1");
@@ -271,6 +300,12 @@ TEST_CASE("mtl: mirrors and glass must be possible") {
         CHECK(complaint_of_mtl("newmtl a\n\nNi " + bad + "\n") ==
               "test.mtl:3: Ni is '" + bad +
                   "'; must be an index of refraction from 0.001 to 10, such as 1.5 for glass");
+    }
+    for (const std::string bad : {"-1", "1e7", "1 2", ""}) {
+        CAPTURE(bad);
+        CHECK(complaint_of_mtl("newmtl a\nNs " + bad + "\n") ==
+              "test.mtl:2: Ns is '" + bad +
+                  "'; must be the exponent of highlights from 0 to 1000000, such as 20");
     }
     for (const std::string bad : {"11", "-1", "2.5", ""}) {
         CAPTURE(bad);
