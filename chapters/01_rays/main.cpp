@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -26,6 +27,13 @@
 
 namespace sr {
 namespace {
+
+/// The scene of --scene.
+std::optional<Shot> own_scene(course::Chapter& chapter) {
+    const auto& options = chapter.options();
+    if (!options.scene) return std::nullopt;
+    return view_of_file(*options.scene, options.size, [&](std::string_view line) { chapter.note(line); });
+}
 
 /// 1.1  Which ray belongs to a pixel?
 void pinhole(course::Chapter& chapter) {
@@ -55,11 +63,12 @@ void pinhole(course::Chapter& chapter) {
 }
 
 /// 1.2  What is seen along it?
-void what_is_seen(course::Chapter& chapter) {
+/// @param own  scene, of the person who asks, in place of ours
+void what_is_seen(course::Chapter& chapter, const std::optional<Shot>& own) {
     chapter.section("1.2 What is seen along it");
     const auto& options = chapter.options();
-    if (options.scene) {
-        render(chapter, "scene", "The scene", view_of_file(*options.scene, options.size));
+    if (own) {
+        render(chapter, "scene", "The scene", *own);
     } else {
         render(chapter, "cornell_box", "The Cornell box", cornell_shot(options.size));
         render(chapter, "teapot", "The teapot", teapot_shot(64, options.size));
@@ -222,11 +231,12 @@ int main(int argc, char** argv) {
     using namespace sr;
     const course::Defaults defaults{.samples        = course::ByQuality{1, 16, 16},
                                     .square_samples = true,
-                                    .renders_scene  = true,
+                                    .scene_section  = "1.2",
                                     .seeded         = "the pixels that races ask, 1.6"};
     return course::run(argc, argv, "01_rays", "Rays", defaults, [](course::Chapter& chapter) {
+        const auto own = own_scene(chapter);  // first: what is wrong with it is told before any work is done
         pinhole(chapter);
-        what_is_seen(chapter);
+        what_is_seen(chapter, own);
         ray_optics(chapter);
         loops_swapped(chapter);
         rounding(chapter);

@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <tuple>
 #include <utility>
 
@@ -27,8 +29,16 @@
 namespace sr {
 namespace {
 
+/// The scene of --scene.
+std::optional<SceneView> own_scene(course::Chapter& chapter) {
+    const auto& options = chapter.options();
+    if (!options.scene) return std::nullopt;
+    return lit_view_of_file(*options.scene, options.size, [&](std::string_view line) { chapter.note(line); });
+}
+
 /// 7.1  What is seen in a mirror, and in glass?
-void what_is_seen(course::Chapter& chapter) {
+/// @param own  scene, of the person who asks, in place of ours
+void what_is_seen(course::Chapter& chapter, const std::optional<SceneView>& own) {
     chapter.section("7.1 What is seen in a mirror");
     auto diagram = chapter.diagram("tree", "The rays of one pixel");
     TreeDrawing(diagram).draw();
@@ -37,10 +47,10 @@ void what_is_seen(course::Chapter& chapter) {
 
     const auto&      options = chapter.options();
     course::Progress progress("tracing rays up to 16 deep", steps_of_picture);
-    if (options.scene) {
-        chapter.render(
-            "scene", "The scene", "Rays up to 16 deep; its lamps, or one in their place, are points.",
-            picture(lit_view_of_file(*options.scene, options.size), {.depth = 16}, options, progress));
+    if (own) {
+        chapter.render("scene", "The scene",
+                       "Rays up to 16 deep; its lamps, or one in their place, are points.",
+                       picture(*own, {.depth = 16}, options, progress));
     } else {
         chapter.render("balls", "The Cornell box with a ball of mirror and one of glass",
                        "Rays up to 16 deep; the light is a point below the lamp.",
@@ -256,10 +266,11 @@ int main(int argc, char** argv) {
     const course::Defaults defaults{.samples        = course::ByQuality{4, 16, 64},
                                     .square_samples = true,
                                     .takes_seed     = false,
-                                    .renders_scene  = true,
+                                    .scene_section  = "7.1",
                                     .sampled_each   = "pixel of a render; those charted in 7.5 have 4"};
     return course::run(argc, argv, "07_recursion", "Recursion", defaults, [](course::Chapter& chapter) {
-        what_is_seen(chapter);
+        const auto own = own_scene(chapter);  // first: what is wrong with it is told before any work is done
+        what_is_seen(chapter, own);
         cost_of_recursion(chapter);
         how_deep(chapter);
         tree_of_rays(chapter);

@@ -50,8 +50,10 @@ std::vector<CommandOption> shared_options(const std::optional<Defaults>& chapter
         {"--threads", "N", fmt::format("threads to use [all cores: {}]", cores())},
         {"--seed", "N", seed},
         {"--format", "LIST", "of svg, png, pdf, tex, separated by commas [svg]"}};
-    if (chapter && chapter->renders_scene)
-        all.push_back({"--scene", "FILE", "OBJ file: render it instead of the chapter's own scene"});
+    if (chapter && !chapter->scene_section.empty())
+        all.push_back({"--scene", "FILE",
+                       fmt::format("OBJ file: section {} renders it, the others keep their own scenes",
+                                   chapter->scene_section)});
     return all;
 }
 
@@ -96,6 +98,17 @@ std::vector<std::string> formats(const std::string& text) {
     return chosen;
 }
 
+/// The file, which is looked for before any work is done.
+std::filesystem::path scene_file(const std::string& text) {
+    std::error_code ignored;
+    const auto      status = std::filesystem::status(text, ignored);
+    if (!exists(status))
+        throw std::invalid_argument(fmt::format("--scene {}: no such file; must be an OBJ file", text));
+    if (!is_regular_file(status))
+        throw std::invalid_argument(fmt::format("--scene {}: is no regular file; must be an OBJ file", text));
+    return text;
+}
+
 Options checked(const Values& given, const Defaults& defaults) {
     const auto value = [&](const char* name, const std::string& otherwise) {
         const auto found = given.find(name);
@@ -115,7 +128,7 @@ Options checked(const Values& given, const Defaults& defaults) {
     o.seed    = whole_number("--seed", value("--seed", "1"), std::uint64_t{0}, ~std::uint64_t{0},
                              "the seed must be a whole number from 0 to 18446744073709551615");
     o.formats = formats(value("--format", "svg"));
-    if (given.contains("--scene")) o.scene = given.at("--scene");
+    if (given.contains("--scene")) o.scene = scene_file(given.at("--scene"));
     return o;
 }
 

@@ -32,7 +32,7 @@ struct Defaults {
     std::optional<ByQuality> samples        = std::nullopt;  ///< none: the chapter takes no samples
     bool                     square_samples = false;  ///< a pixel's samples form a square: 1, 4, 9, ...
     bool                     takes_seed     = true;   ///< false: its random numbers are always the same
-    bool                     renders_scene  = false;  ///< the program then takes --scene FILE.obj
+    std::string              scene_section  = {};  ///< that renders --scene FILE: "1.2"; none: no such option
 
     // what --help says after "samples per" and after "start of the random numbers of"
     std::string_view sampled_each = "pixel of a render";
@@ -47,8 +47,8 @@ struct Options {
     int                                  samples = 1;    ///< per pixel or per estimate, 1 to 1'000'000
     int                                  threads = 1;    ///< 1 to 1024; all cores by default
     std::uint64_t                        seed    = 1;
-    std::vector<std::string>             formats = {"svg"};  ///< of svg, png, pdf, tex
-    std::optional<std::filesystem::path> scene   = std::nullopt;
+    std::vector<std::string>             formats = {"svg"};       ///< of svg, png, pdf, tex
+    std::optional<std::filesystem::path> scene   = std::nullopt;  ///< a file that is there
 };
 
 /// The parsed options, or the exit code of a program that has nothing more to do: 0 after --help, 2 after

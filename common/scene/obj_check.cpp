@@ -137,7 +137,7 @@ CheckedObj check_obj(const path& file) {
     for_each_statement(text, [&](const Statement& statement) { checker.check(statement); });
     if (checker.faces == 0) {
         throw std::runtime_error(
-            fmt::format("{}: no faces; must have a line such as f 1 2 3", file.string()));
+            fmt::format("{}: has no faces; must have a line such as f 1 2 3", file.string()));
     }
     const MtlLibrary& library = checker.known.library;
     if (library.empty()) return {checker.kept, {}, {}};

@@ -62,6 +62,7 @@ TEST_CASE(
         CHECK(ended.code == 2);
         CHECK(error_lines(ended) == 1);
         CHECK(ended.err.find(name) != std::string::npos);
+        CHECK(ended.out.find("1.1") == std::string::npos);  // no section has begun
         CHECK(read_text(old) == "an older figure");
     }
 }

@@ -2,7 +2,12 @@
 
 #include <doctest/doctest.h>
 
+#include <fstream>
+#include <string>
+#include <vector>
+
 #include "child.hpp"
+#include "scratch_folder.hpp"
 
 using namespace sr;
 using namespace sr::course;
@@ -101,8 +106,19 @@ TEST_CASE("samples that form a square are counted by squares") {
         "1000000\n");
 }
 
-TEST_CASE("a scene is an option where a chapter renders one") {
-    CHECK(parse({"--scene", "x.obj"}, {.renders_scene = true}).options.value().scene == "x.obj");
+TEST_CASE("a scene is an option where a section renders one, and must be a file that is there") {
+    const sr::test::ScratchFolder scratch{"options"};
+    const std::string             folder = scratch.path.string(), file = folder + "/x.obj";
+    std::ofstream(file) << "v 0 0 0\n";
+    const Defaults renders{.scene_section = "1.2"};
+    CHECK(parse({"--scene", file.c_str()}, renders).options.value().scene == file);
+    CHECK(told({"--help"}, renders).out.find("section 1.2 renders it") != std::string::npos);
+    CHECK(told({"--help"}).out.find("--scene") == std::string::npos);
+    CHECK(told({"--scene", "no.obj"}, renders).err ==
+          "01_rays: error: --scene no.obj: no such file; must be an OBJ file\n");
+    const Ended ended = told({"--scene", folder.c_str()}, renders);
+    CHECK(ended.err == "01_rays: error: --scene " + folder + ": is no regular file; must be an OBJ file\n");
+    CHECK(ended.code == 2);
 }
 
 TEST_CASE("an option that changes nothing gets one line, which is no error, and its help says so") {

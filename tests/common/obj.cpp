@@ -141,7 +141,7 @@ TEST_CASE("obj: what is no OBJ file is refused") {
                       (path + ": is a directory; must be a text file").c_str());
 
     CHECK(complaint("") == "test.obj: is empty; must be a text file");
-    CHECK(complaint("# nothing\n" + square) == "test.obj: no faces; must have a line such as f 1 2 3");
+    CHECK(complaint("# nothing\n" + square) == "test.obj: has no faces; must have a line such as f 1 2 3");
     CHECK(complaint(std::string("v 0 0 0\nv \0 0 0\n", 16)) ==
           "test.obj:2: holds the byte 0x00; must be a text file");
     CHECK(complaint("hello world\n") ==
