@@ -50,6 +50,10 @@ TEST_CASE("F2: Fresnel reflectance from air to glass") {
     }
 }
 
+TEST_CASE("reflection: to the other side of the normal, out of any plane") {
+    CHECK(reflect(V{0.48, -0.6, 0.64}) == V{-0.48, 0.6, 0.64});
+}
+
 TEST_CASE("refraction: Snell's law, from either side, and the way back") {
     Rng rng{1, 0, 0, 0};
     for (int i = 0; i < 1000; ++i) {

@@ -178,6 +178,7 @@ TEST_CASE_TEMPLATE("the error holds the distance to a cone until it is as large 
             std::abs(std::hypot(double(p.position.x), double(p.position.y)) - double(p.position.z)) /
             std::sqrt(2.0);
         CHECK(away <= double(p.error));
+        CHECK(away <= 1e-5 * r);  // the hit was 7e-5 r away, and is put back
     }
     const auto apex = surface_point(Cone<T>{}, Ray<T>{{0, 0, 1}, down}, T(1));
     CHECK(apex.normal == -down);
