@@ -61,9 +61,9 @@ template <class V>
 struct ScalarOf {
     using type = V;
 };
-template <>
-struct ScalarOf<Spectrum> {
-    using type = float;
+template <std::floating_point T>
+struct ScalarOf<BasicSpectrum<T>> {
+    using type = T;
 };
 
 /// Values that may be multiplied: both of floats or both of doubles, so that none becomes another type unasked. A
