@@ -1,0 +1,64 @@
+/// @file patch.cpp
+
+#include "radiosity/patch.hpp"
+
+#include <algorithm>
+
+#include "sampling/linear.hpp"
+
+namespace sr {
+
+Patch::Patch(const std::array<Point, 4>& corners, std::size_t count) : corners_(corners), count_(count) {
+    const auto& [a, b, c, d]      = corners_;
+    const Vector3<double> twice_1 = cross(b - a, c - a), twice_2 = cross(c - a, d - a);
+    const double          first = length(twice_1), second = length(twice_2);
+    area_   = (first + second) / 2;
+    normal_ = normalize(twice_1 + twice_2);
+    centre_ = (first * (a + b + c) + second * (a + c + d)) / (3 * (first + second));
+    error_  = rounding_bound(std::max({size_of(a), size_of(b), size_of(c), size_of(d)}));
+}
+
+double Patch::longest_side() const {
+    double longest = 0;
+    for (std::size_t i = 0; i < count_; ++i)
+        longest = std::max(longest, length(corners_[(i + 1) % count_] - corners_[i]));
+    return longest;
+}
+
+Patch::Point Patch::at(Vector2<double> st) const {
+    const auto& [a, b, c, d] = corners_;
+    const auto [s, t]        = std::array{st.x, st.y};
+    return (1 - t) * ((1 - s) * a + s * b) + t * ((1 - s) * d + s * c);
+}
+
+Patch::Point Patch::sample(Vector2<double> u) const {
+    const auto& [a, b, c, d] = corners_;
+    // Area per ds dt: of a plane quadrilateral it is linear in s and in t.
+    const auto area_at = [&](const Point& p, const Point& q, const Point& r) {
+        return dot(normal_, cross(q - p, r - p));
+    };
+    const double at_a = area_at(a, b, d), at_b = area_at(b, c, a), at_c = area_at(c, d, b),
+                 at_d = area_at(d, a, c);
+    const double s    = sample_linear(u.x, at_a + at_d, at_b + at_c);
+    const double t    = sample_linear(u.y, (1 - s) * at_a + s * at_b, (1 - s) * at_d + s * at_c);
+    return at({s, t});
+}
+
+std::array<Patch, 4> Patch::quarters() const {
+    const auto& [a, b, c, d] = corners_;
+    const Point ab = (a + b) / 2.0, bc = (b + c) / 2.0;
+    if (count_ == 3) {
+        const Point ca = (c + a) / 2.0;
+        return {Patch{a, ab, ca}, Patch{ab, b, bc}, Patch{ca, bc, c}, Patch{bc, ca, ab}};
+    }
+    const Point cd = (c + d) / 2.0, da = (d + a) / 2.0, middle = (ab + cd) / 2.0;
+    return {Patch{a, ab, middle, da}, Patch{ab, b, bc, middle}, Patch{middle, bc, c, cd},
+            Patch{da, middle, cd, d}};
+}
+
+Patch Patch::reversed() const {
+    const auto& [a, b, c, d] = corners_;
+    return count_ == 3 ? Patch{c, b, a} : Patch{d, c, b, a};
+}
+
+}  // namespace sr

@@ -1,0 +1,58 @@
+#pragma once
+/// @file patch.hpp
+
+#include <array>
+#include <cstddef>
+#include <span>
+
+#include "geometry/offset.hpp"
+#include "math/vector.hpp"
+
+namespace sr {
+
+/// A flat piece of surface that one radiosity is computed for: a triangle or a convex quadrilateral. Its front, which
+/// is all that shines, is where its corners run counter-clockwise.
+class Patch {
+public:
+    using Point = Vector3<double>;
+
+    /// @pre the corners lie in a plane, and the area is not 0
+    Patch(const Point& a, const Point& b, const Point& c) : Patch({a, b, c, c}, 3) {}
+    /// @pre as above, and the corners are convex
+    Patch(const Point& a, const Point& b, const Point& c, const Point& d) : Patch({a, b, c, d}, 4) {}
+
+    [[nodiscard]] std::span<const Point> corners() const { return {corners_.data(), count_}; }
+    [[nodiscard]] double                 area() const { return area_; }      ///< [length unit^2]
+    [[nodiscard]] const Vector3<double>& normal() const { return normal_; }  ///< unit vector to the front
+    [[nodiscard]] const Point&           centre() const { return centre_; }  ///< of gravity
+    [[nodiscard]] double                 longest_side() const;               ///< [length unit]
+
+    /// The point (1-s)(1-t) a + s(1-t) b + st c + (1-s)t d. Of a triangle, the whole side t = 1 is c.
+    [[nodiscard]] Point at(Vector2<double> st) const;
+
+    /// The same with s and t moved such that u uniform in the unit square is uniform in the patch's area, and
+    /// strata stay in one piece.
+    [[nodiscard]] Point sample(Vector2<double> u) const;
+
+    /// A point of the patch for rays to start from or to end at.
+    [[nodiscard]] SurfacePoint<double> surface_point(const Point& on_patch) const {
+        return {on_patch, normal_, error_};
+    }
+
+    /// Four patches that make up this one: by the middles of its sides, of quadrilaterals also the corners' mean.
+    [[nodiscard]] std::array<Patch, 4> quarters() const;
+
+    /// The same from behind.
+    [[nodiscard]] Patch reversed() const;
+
+private:
+    Patch(const std::array<Point, 4>& corners, std::size_t count);
+
+    std::array<Point, 4> corners_;
+    std::size_t          count_;
+    double               area_, error_;
+    Vector3<double>      normal_;
+    Point                centre_;
+};
+
+}  // namespace sr

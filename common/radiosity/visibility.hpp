@@ -1,0 +1,24 @@
+#pragma once
+/// @file visibility.hpp
+
+#include "geometry/hierarchy.hpp"
+#include "radiosity/patch.hpp"
+
+namespace sr {
+
+/// What stands between patches: a scene's faces, which hide from either side.
+class Visibility {
+public:
+    explicit Visibility(const Mesh<double>& mesh) : hierarchy_{mesh} {}
+
+    /// V(p, q), whether no face lies between two points of patches. (Which of their sides they turn to each other is
+    /// the cosines' business.)
+    [[nodiscard]] bool between(const SurfacePoint<double>& p, const SurfacePoint<double>& q) const {
+        return !hierarchy_.occluded(sr::between(p, q), before_the_end<double>);
+    }
+
+private:
+    Hierarchy<double> hierarchy_;
+};
+
+}  // namespace sr

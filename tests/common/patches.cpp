@@ -1,0 +1,209 @@
+/// @file patches.cpp
+/// Surfaces cut into patches: no area is lost, nothing lies beside its polygon, and what radiosity can't do is refused.
+
+#include "radiosity/patches.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numeric>
+#include <set>
+
+#include "near.hpp"
+#include "radiosity/visibility.hpp"
+#include "scene/cornell_box.hpp"
+
+using namespace sr;
+using sr::test::near;
+
+namespace {
+
+using Point = Vector3<double>;
+
+const Patch trapezoid{{0, 0, 0}, {4, 0, 0}, {2, 1, 0}, {0, 1, 0}};
+const Patch quadrilateral{{0, 0, 0}, {4, 0, 0}, {3, 2, 0}, {0, 1, 0}};
+const Patch triangle{{0, 0, 0}, {3, 0, 0}, {0, 1.5, 0}};
+
+double area_of(const Patches& patches) {
+    return std::accumulate(patches.shapes.begin(), patches.shapes.end(), 0.0,
+                           [](double sum, const Patch& shape) { return sum + shape.area(); });
+}
+
+Polygon grey(const Patch& shape) {
+    return {shape, {0.5, 0.5, 0.5}, {}, 0};
+}
+
+/// The mean of x over points of a patch for u on a fine grid.
+double mean_x(const std::function<Point(Vector2<double>)>& point) {
+    constexpr int n   = 512;
+    double        sum = 0;
+    for (int i = 0; i < n; ++i)
+        for (int j = 0; j < n; ++j) sum += point({(i + 0.5) / n, (j + 0.5) / n}).x;
+    return sum / (n * n);
+}
+
+/// Two triangles with z = height at the fourth corner, of one diffuse material.
+Scene square(double height = 0) {
+    return {.mesh             = {{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, height}}, {{0, 1, 2}, {0, 2, 3}}},
+            .materials        = {diffuse_material("paint", {0.5F, 0.25F, 0.125F}, {1, 2, 3})},
+            .material_of_face = {0, 0}};
+}
+
+std::string refusal(const Scene& scene) {
+    try {
+        (void)polygons_of(scene);
+    } catch (const std::invalid_argument& error) {
+        return error.what();
+    }
+    return "accepted";
+}
+
+}  // namespace
+
+TEST_CASE("a patch has the area, the centre and the normal of its corners") {
+    CHECK(trapezoid.area() == near(3, 1e-15));
+    CHECK(trapezoid.centre().x ==
+          near(14.0 / 9, 1e-15));  // strips of width 4 - 2y: 1/3 int (4 - 2y)^2 / 2 dy
+    CHECK(trapezoid.centre().y == near(4.0 / 9, 1e-15));
+    CHECK(trapezoid.longest_side() == 4);
+    CHECK(triangle.area() == near(2.25, 1e-15));
+    CHECK(triangle.centre() == Point{1, 0.5, 0});
+    for (const Patch& patch : {trapezoid, triangle}) {
+        CHECK(patch.normal() == Point{0, 0, 1});
+        CHECK(patch.reversed().normal() == Point{0, 0, -1});
+        CHECK(patch.reversed().area() == patch.area());
+        double area = 0;
+        for (const auto& quarter : patch.quarters()) {
+            CHECK(quarter.normal() == patch.normal());
+            area += quarter.area();
+        }
+        CHECK(area == near(patch.area(), 1e-15));
+    }
+    for (const auto& quarter : triangle.quarters()) CHECK(quarter.area() == near(2.25 / 4, 1e-15));
+}
+
+TEST_CASE("points of a patch are uniform in its area, which those of the bilinear map are not") {
+    for (const Patch& patch : {trapezoid, quadrilateral, triangle}) {
+        const double expected = patch.centre().x;
+        CHECK(mean_x([&](auto u) { return patch.sample(u); }) == near(expected, 1e-5));
+        CHECK(mean_x([&](auto u) { return patch.at(u); }) != near(expected, 0.02));
+    }
+    const Patch square{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+    CHECK(length(square.sample({0.25, 0.75}) - Point{0.25, 0.75, 0}) <= 1e-15);
+    CHECK(length(triangle.sample({0, 1}) - triangle.corners()[2]) <= 1e-15);
+    CHECK(length(triangle.sample({0, 0})) <= 1e-15);
+}
+
+TEST_CASE("what is cut keeps its area, and no side is longer than asked for") {
+    for (const Patch& shape : {trapezoid, triangle}) {
+        for (const double size : {10.0, 1.0, 0.3, 0.07}) {
+            CAPTURE(size);
+            const std::vector<Polygon> polygons{grey(shape)};
+            const Patches              patches = cut(polygons, size);
+            CHECK(area_of(patches) == near(shape.area(), 1e-12));
+            double longest = 0;
+            for (std::size_t i = 0; i < patches.size(); ++i) {
+                const auto corners = patches.shapes[i].corners();
+                longest            = std::max(longest, patches.shapes[i].longest_side());
+                CHECK(patches.shapes[i].normal().z == near(1, 1e-12));
+                for (std::size_t k = 0; k < corners.size(); ++k)
+                    CHECK(corners[k] == patches.vertices[patches.corners[i][k]]);
+            }
+            CHECK(longest <= std::min(size, shape.longest_side()) * (1 + 1e-12));
+        }
+    }
+    CHECK(cut(std::vector{grey(triangle)}, 3.4).size() == 1);
+    CHECK(cut(std::vector{grey(triangle)}, triangle.longest_side() / 5).size() == 25);
+    CHECK(cut(std::vector{grey(trapezoid)}, 1).size() == 4 * 3);  // its slanting side is sqrt(5) long
+}
+
+TEST_CASE("patches share their vertices with their neighbours, and their triangles cover them") {
+    const Patches patches = cut(std::vector{grey(trapezoid), grey(triangle)}, 0.5);
+    const auto    seen    = mesh_of(patches);
+    double        sum     = 0;
+    for (std::size_t i = 0; i < seen.mesh.faces.size(); ++i) sum += area(seen.mesh.triangle(i));
+    CHECK(sum == near(trapezoid.area() + triangle.area(), 1e-12));
+    CHECK(std::set<std::uint32_t>(seen.patch_of_face.begin(), seen.patch_of_face.end()).size() ==
+          patches.size());
+    CHECK(patches.polygon.back() == 1);
+    const Patches four = cut(std::vector{grey(Patch{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}})}, 0.5);
+    CHECK(four.size() == 4);
+    CHECK(four.vertices.size() == 9);
+}
+
+TEST_CASE("two triangles are one quadrilateral if they are flat; else they stay two") {
+    const auto flat = polygons_of(square());
+    REQUIRE(flat.size() == 1);
+    CHECK(flat[0].shape.corners().size() == 4);
+    CHECK(flat[0].shape.area() == near(1, 1e-15));
+    CHECK(flat[0].reflectance == DoubleSpectrum{0.5, 0.25, 0.125});
+    CHECK(flat[0].emission.b == near(3 * 3.14159265358979324, 1e-15));
+    CHECK(polygons_of(square(0.01)).size() == 2);
+
+    Scene dart            = square();  // not convex
+    dart.mesh.vertices[1] = {0.4, 0.6, 0};
+    dart.mesh.faces       = {{3, 0, 1}, {3, 1, 2}};
+    CHECK(polygons_of(dart).size() == 2);
+
+    const auto both = polygons_of(square(), Sides::both);
+    REQUIRE(both.size() == 2);
+    CHECK(both[1].shape.normal() == Point{0, 0, -1});
+}
+
+TEST_CASE("the Cornell box is 16 quadrilaterals and the red wall's two triangles") {
+    const auto polygons = polygons_of(cornell_box());
+    const auto quads    = std::count_if(polygons.begin(), polygons.end(),
+                                        [](const Polygon& p) { return p.shape.corners().size() == 4; });
+    CHECK(polygons.size() - std::size_t(quads) == 2);
+    double      area_of_faces = 0, area_of_polygons = 0;
+    const Scene box = cornell_box();
+    for (std::size_t i = 0; i < box.mesh.faces.size(); ++i) area_of_faces += area(box.mesh.triangle(i));
+    for (const auto& polygon : polygons) area_of_polygons += polygon.shape.area();
+    CHECK(area_of_polygons == near(area_of_faces, 1e-14));
+}
+
+TEST_CASE("faces without an area are left out, and what radiosity can't do is refused by name") {
+    Scene flat = square();
+    flat.mesh.faces.push_back({0, 1, 1});
+    flat.material_of_face.push_back(0);
+    CHECK(polygons_of(flat).size() == 1);
+
+    Scene mirror     = square();
+    mirror.materials = {{"chrome", LobeSum<float>{{{{0.5F, 0.5F, 0.5F}, Mirror<float>{}}}}}};
+    CHECK(refusal(mirror).find("material 'chrome' is not diffuse") == 0);
+    Scene ball = square();
+    ball.balls.push_back({{{0, 0, 1}, 0.5}, 0});
+    CHECK(refusal(ball).find("has balls") != std::string::npos);
+    Scene lit = square();
+    lit.lights.push_back({{0, 0, 1}, {1, 1, 1}});
+    CHECK(refusal(lit).find("has point lights") != std::string::npos);
+    Scene sky      = square();
+    sky.background = {1, 1, 1};
+    CHECK(refusal(sky).find("background") != std::string::npos);
+    CHECK(refusal(Scene{}).find("has none") != std::string::npos);
+
+    const std::vector<Polygon> one{grey(triangle)};
+    for (const double size : {0.0, -1.0, std::nan(""), 1e-9}) {
+        CAPTURE(size);
+        CHECK_THROWS_AS((void)cut(one, size), std::invalid_argument);
+    }
+}
+
+TEST_CASE("points of patches see each other unless a face lies between them") {
+    const Patch      floor{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+    const Patch      roof{{0, 0, 2}, {0, 1, 2}, {1, 1, 2}, {1, 0, 2}};
+    Scene            scene = square();
+    const Visibility open{scene.mesh};
+    const auto       from = [](const Patch& patch, double x, double y) {
+        return patch.surface_point(patch.at({x, y}));
+    };
+    CHECK(open.between(from(floor, 0.3, 0.4), from(roof, 0.9, 0.1)));
+    for (auto& vertex : scene.mesh.vertices)
+        vertex = vertex / 2.0 + Point{0, 0, 1};  // over a quarter of the floor
+    const Visibility shaded{scene.mesh};
+    CHECK(!shaded.between(from(floor, 0.2, 0.2), from(roof, 0.2, 0.2)));
+    CHECK(!shaded.between(from(roof, 0.2, 0.2), from(floor, 0.2, 0.2)));
+    CHECK(shaded.between(from(floor, 0.8, 0.8), from(roof, 0.8, 0.8)));
+}
