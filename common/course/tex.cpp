@@ -244,8 +244,8 @@ struct Writer {
     std::string (*text)(std::string_view);
     std::array<std::string_view, 5> open;  ///< before upright, italic, bold, subscript, superscript
     std::array<std::string_view, 5> close;
-    std::string_view                above  = "";  ///< before a script that shares its place with the next one
-    std::string_view                second = "";  ///< at the start of the latter of two scripts
+    std::string_view                above  = {};  ///< before a script that shares its place with the next one
+    std::string_view                second = {};  ///< at the start of the latter of two scripts
 };
 
 bool is_script(const Piece& piece) {

@@ -30,9 +30,7 @@ class Surfaces {
 public:
     /// @throws std::invalid_argument as check_scene
     explicit Surfaces(const Scene& scene)
-        : mesh_{convert<T>(checked(scene).mesh)},
-          hierarchy_{mesh_},
-          material_of_face_{scene.material_of_face} {
+        : mesh_{checked_mesh(scene)}, hierarchy_{mesh_}, material_of_face_{scene.material_of_face} {
         for (const auto& [sphere, material] : scene.balls)
             balls_.push_back({{Vector3<T>(sphere.centre), T(sphere.radius)}, material});
     }
@@ -71,9 +69,9 @@ private:
         std::uint32_t material;
     };
 
-    static const Scene& checked(const Scene& scene) {
+    static Mesh<T> checked_mesh(const Scene& scene) {
         check_scene(scene);
-        return scene;
+        return convert<T>(scene.mesh);
     }
 
     /// A triangle too small for its normal to be computed faces the ray that found it.

@@ -40,17 +40,17 @@ template <class Radiance>
     const int       side = grid_side(sampling.samples);
     Image<Spectrum> film(camera.width, camera.height);
     for_each_pixel(camera.width, camera.height, loop, [&](int x, int y) {
-        Vector3<double> sum{0, 0, 0};
+        DoubleSpectrum sum;
         for (int sample = 0; sample < sampling.samples; ++sample) {
-            const Vec2     image{float(x) + (float(sample % side) + 0.5F) / float(side),
-                             float(y) + (float(sample / side) + 0.5F) / float(side)};
+            const int      column = sample % side, row = sample / side;
+            const Vec2     image{float(x) + (float(column) + 0.5F) / float(side),
+                             float(y) + (float(row) + 0.5F) / float(side)};
             Rng            rng{sampling.seed, x, y, sample};
             const Spectrum L = radiance(camera.ray(image), rng);
             if (!each_in(L, 0, std::numeric_limits<float>::max())) throw BadSample(x, y, sample, L);
-            sum += Vector3<double>(L.r, L.g, L.b);
+            sum = sum + convert<double>(L);
         }
-        const auto mean = Vec3(sum / double(sampling.samples));
-        film(x, y)      = {mean.x, mean.y, mean.z};
+        film(x, y) = convert<float>(sum / double(sampling.samples));
     });
     return film;
 }
