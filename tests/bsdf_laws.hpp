@@ -141,13 +141,13 @@ template <class B>
 template <class Sum, class First, class Second>
 [[nodiscard]] std::string breaks_linearity(const Sum& sum, double a, const First& first, double b,
                                            const Second& second) {
-    constexpr double  float_underflow = 1e-37;  // a sum counts in float
-    const std::string of_f = for_pairs([&](const Direction& wo, const Direction& wi) -> std::string {
+    constexpr double float_underflow = 1e-37;  // a sum counts in float
+    std::string      of_f = for_pairs([&](const Direction& wo, const Direction& wi) -> std::string {
         const double of_sum = number(sum.f(wo, wi));
         const double sum_of = a * f_in_sum(first, wo, wi) + b * f_in_sum(second, wo, wi);
         return std::abs(of_sum - sum_of) <= 1e-6 * sum_of + float_underflow
-                   ? ""
-                   : broken("linear f", wo, of_sum, sum_of);
+                        ? ""
+                        : broken("linear f", wo, of_sum, sum_of);
     });
     if (!of_f.empty()) return of_f;
     const auto sky = [](const Direction& wi) { return 1.5 + wi.x; };
@@ -188,9 +188,9 @@ struct Cells {
     static constexpr int bands = 12, sectors = 24;
 
     [[nodiscard]] static std::size_t of(const Direction& w) {
-        const int band   = std::min(int(w.z * bands), bands - 1);
-        const int sector = std::min(int(turn(w) * sectors), sectors - 1);
-        return std::size_t(band * sectors + sector);
+        const auto band   = std::size_t(std::min(int(w.z * bands), bands - 1));
+        const auto sector = std::size_t(std::min(int(turn(w) * sectors), sectors - 1));
+        return band * sectors + sector;
     }
 
     /// The integral of a density over each; what is left of 1, draws that come to nothing; and 0 below the horizon.
@@ -199,7 +199,8 @@ struct Cells {
         std::vector<double> cells;
         double              left = 1;
         for (int cell = 0; cell < bands * sectors; ++cell) {
-            const double z = cell / sectors, phi = cell % sectors, step = 2 * std::numbers::pi / sectors;
+            const int    band = cell / sectors, sector = cell % sectors;
+            const double z = band, phi = sector, step = 2 * std::numbers::pi / sectors;
             double       sum = 1e-8;  // not impossible: a density's edge may pass between the points
             for (const auto& [height, dz] : gauss_legendre(16, z / bands, (z + 1) / bands)) {
                 const double r = std::sqrt((1 - height) * (1 + height));
@@ -249,7 +250,8 @@ template <class B>
     int              tried = 0;
     for (const Direction& wo : views()) {
         for (int i = 0; i < 64; ++i) {
-            const Vector2<double> u{(i % 8 + 0.5) / 8, (i / 8 + 0.5) / 8};
+            const int             column = i % 8, row = i / 8;
+            const Vector2<double> u{(column + 0.5) / 8, (row + 0.5) / 8};
             const auto            at = [&](double du, double dv) {
                 return bsdf.sample(wo, {u.x + du, u.y + dv}, TransportMode::radiance);
             };

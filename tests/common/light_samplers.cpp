@@ -34,9 +34,9 @@ double p_of_uniform(const Draw& draw) {
     std::vector<std::uint64_t> counts(cells * cells);
     Rng                        rng{11, 0, 0, 0};
     for (int i = 0; i < draws; ++i) {
-        const Vector2<double> u    = draw(rng);
-        const auto            cell = [&](double x) { return std::clamp(int(x * cells), 0, cells - 1); };
-        ++counts[std::size_t(cell(u.x) * cells + cell(u.y))];
+        const Vector2<double> u = draw(rng);
+        const auto cell = [&](double x) { return std::size_t(std::clamp(int(x * cells), 0, cells - 1)); };
+        ++counts[cell(u.x) * std::size_t(cells) + cell(u.y)];
     }
     return chi_square_test(counts, std::vector<double>(counts.size(), double(draws) / double(counts.size())))
         .p;
