@@ -1,0 +1,74 @@
+/// @file main.cpp
+/// Chapter 8, radiosity: diffuse surfaces cut into patches, and the light that they send each other as a linear system.
+
+#include "course/chapter.hpp"
+
+namespace sr {
+namespace {
+
+/// 8.1  What is left of the rendering equation where all is diffuse?
+void radiosity_equation(course::Chapter& chapter) {
+    chapter.section("8.1 From the rendering equation to radiosities");
+}
+
+/// 8.2  Which share of one patch's light arrives at another?
+void form_factors(course::Chapter& chapter) {
+    chapter.section("8.2 Form factors");
+}
+
+/// 8.3  How is it computed, and how wrong is that?
+void computing_form_factors(course::Chapter& chapter) {
+    chapter.section("8.3 Computing form factors");
+}
+
+/// 8.4  Which equations do they make, and what if their rows don't add up to 1?
+void linear_system(course::Chapter& chapter) {
+    chapter.section("8.4 The linear system");
+}
+
+/// 8.5  How is it solved, and how fast?
+void solvers(course::Chapter& chapter) {
+    chapter.section("8.5 Solving it");
+}
+
+/// 8.6  How many patches does it take?
+void convergence(course::Chapter& chapter) {
+    chapter.section("8.6 How fine a mesh");
+}
+
+/// 8.7  What does the Cornell box look like, from anywhere?
+void cornell_box_views(course::Chapter& chapter) {
+    chapter.section("8.7 The Cornell box");
+}
+
+/// 8.8  Must every patch know every other?
+void hierarchical(course::Chapter& chapter) {
+    chapter.section("8.8 Hierarchical radiosity");
+}
+
+/// 8.9  What can't it do?
+void failures(course::Chapter& chapter) {
+    chapter.section("8.9 Where it fails");
+}
+
+}  // namespace
+}  // namespace sr
+
+int main(int argc, char** argv) {
+    using namespace sr;
+    const course::Defaults defaults{.renders_scene = true};
+    return course::run(
+        argc, argv, "08_radiosity", "Radiosity",
+        [](course::Chapter& chapter) {
+            radiosity_equation(chapter);
+            form_factors(chapter);
+            computing_form_factors(chapter);
+            linear_system(chapter);
+            solvers(chapter);
+            convergence(chapter);
+            cornell_box_views(chapter);
+            hierarchical(chapter);
+            failures(chapter);
+        },
+        defaults);
+}
