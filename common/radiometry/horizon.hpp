@@ -15,6 +15,7 @@ namespace sr {
 template <std::floating_point T>
 [[nodiscard]] std::vector<Vector3<T>> above_horizon(const std::vector<Vector3<T>>& polygon) {
     std::vector<Vector3<T>> above;
+    above.reserve(polygon.size() + 1);  // of a convex one
     for (std::size_t i = 0; i < polygon.size(); ++i) {
         const Vector3<T>& p = polygon[i];
         const Vector3<T>& q = polygon[(i + 1) % polygon.size()];

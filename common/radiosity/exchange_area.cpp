@@ -1,0 +1,59 @@
+/// @file exchange_area.cpp
+
+#include "radiosity/exchange_area.hpp"
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <tuple>
+
+#include "math/gauss_legendre.hpp"
+#include "radiosity/point_form_factors.hpp"
+
+namespace sr {
+namespace {
+
+/// The part of the exchange that the point (s, t) of `from` stands for, where it stands for all of it.
+double from_point(const Patch& from, const Patch& to, Vector2<double> st) {
+    const auto  p = from.corners();
+    const auto &a = p[0], &b = p[1], &c = p[2], &d = p.back();
+    const auto  along = (1 - st.y) * (b - a) + st.y * (c - d), across = (1 - st.x) * (d - a) + st.x * (c - b);
+    const double area = dot(from.normal(), cross(along, across));  // per ds dt
+    return area * contour_form_factor(from.at(st), from.normal(), to);
+}
+
+/// By the product of a rule in s and in t over [0, 1].
+template <std::size_t n>
+double by_rule(const Patch& from, const Patch& to, const std::array<QuadraturePoint, n>& rule) {
+    double sum = 0;
+    for (const auto& s : rule)
+        for (const auto& t : rule) sum += s.weight * t.weight * from_point(from, to, {s.x, t.x});
+    return sum;
+}
+
+constexpr double off_2 = 0.5 / std::numbers::sqrt3, off_3 = 0.38729833462074169;  // sqrt(3/5) / 2
+constexpr std::array<QuadraturePoint, 2> two_points{{{0.5 - off_2, 0.5}, {0.5 + off_2, 0.5}}};
+constexpr std::array<QuadraturePoint, 3> three_points{
+    {{0.5 - off_3, 5.0 / 18}, {0.5, 4.0 / 9}, {0.5 + off_3, 5.0 / 18}}};
+
+/// `fine` is what three_points say.
+double refined(const Patch& from, const Patch& to, double fine, double allowed, int quarterings) {
+    if (quarterings == 0 || std::abs(fine - by_rule(from, to, two_points)) <= allowed) return fine;
+    double sum = 0;
+    for (const auto& quarter : from.quarters())
+        sum += refined(quarter, to, by_rule(quarter, to, three_points), allowed / 2, quarterings - 1);
+    return sum;
+}
+
+}  // namespace
+
+double exchange_area(const Patch& a, const Patch& b, double tolerance) {
+    if (!face_each_other(a, b)) return 0;
+    constexpr int most_quarterings = 12;
+    const auto& [from, to]         = a.area() <= b.area() ? std::tie(a, b) : std::tie(b, a);
+    const double fine              = by_rule(from, to, three_points);
+    return refined(from, to, fine, tolerance * fine, most_quarterings);
+}
+
+}  // namespace sr
