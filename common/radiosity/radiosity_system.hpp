@@ -22,4 +22,9 @@ struct RadiositySystem {
     [[nodiscard]] std::size_t size() const { return area.size(); }
 };
 
+/// 1 - rho_i F_ii, what a patch's radiosity is multiplied by in its own equation: less than 1 if it sees itself.
+[[nodiscard]] inline DoubleSpectrum diagonal(const RadiositySystem& system, std::size_t i) {
+    return DoubleSpectrum{1, 1, 1} - system.form_factors(i, i) * system.reflectance[i];
+}
+
 }  // namespace sr

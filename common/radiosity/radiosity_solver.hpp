@@ -1,0 +1,47 @@
+#pragma once
+/// @file radiosity_solver.hpp
+/// Iterative solvers of (I - rho F) B = E, and the loop that runs them. How to use:
+///     check_system(system);
+///     RelaxedJacobi solver(system);
+///     const Convergence told = solve(solver, 1e-6, 1000);
+///     if (told.reached) show(solver.radiosities());
+
+#include <concepts>
+#include <cstddef>
+#include <vector>
+
+#include "radiosity/radiosity_system.hpp"
+
+namespace sr {
+
+/// A solver holds radiosities, 0 or the emission at first, and each step makes them better. It refers to its system,
+/// which outlives it and has passed check_system. Its residual is the largest one over the largest emission [1].
+template <class S>
+concept RadiositySolver = requires(S solver, const S& done) {
+    solver.step();
+    { done.radiosities() } -> std::convertible_to<Radiosities>;
+    { done.residual() } -> std::same_as<double>;
+};
+
+/// How a solver came along: its residual before the first step and after each.
+struct Convergence {
+    std::vector<double> residuals;
+    bool                reached = false;  ///< the tolerance
+
+    [[nodiscard]] std::size_t steps() const { return residuals.size() - 1; }
+};
+
+/// Steps until the residual is no more than the tolerance, at most `limit` of them, and none once it is NaN. The error
+/// of the radiosities may be larger than their residual: up to 1 / (1 - rho) times in a room of one reflectance.
+template <RadiositySolver S>
+Convergence solve(S& solver, double tolerance, int limit) {
+    Convergence told{{solver.residual()}};
+    for (int i = 0; i < limit && told.residuals.back() > tolerance; ++i) {
+        solver.step();
+        told.residuals.push_back(solver.residual());
+    }
+    told.reached = told.residuals.back() <= tolerance;
+    return told;
+}
+
+}  // namespace sr
