@@ -1,0 +1,45 @@
+#pragma once
+/// @file southwell.hpp
+
+#include <algorithm>
+
+#include "radiosity/radiosity_solver.hpp"
+#include "radiosity/residual.hpp"
+
+namespace sr {
+
+/// The patch with the largest residual gets what makes its equation hold, equation (8.19). A step is one patch and
+/// costs n: it changes the residuals of the others by a column of F.
+class Southwell {
+public:
+    explicit Southwell(const RadiositySystem& system)
+        : system_{system}, radiosities_(system.size()), residuals_{system.emission} {}
+
+    void step() {
+        const auto less = [](const DoubleSpectrum& s, const DoubleSpectrum& t) {
+            return largest_of(s) < largest_of(t);
+        };
+        const auto i =
+            std::size_t(std::max_element(residuals_.begin(), residuals_.end(), less) - residuals_.begin());
+        const DoubleSpectrum change = residuals_[i] / diagonal(system_, i);
+        radiosities_[i]             = radiosities_[i] + change;
+        residuals_[i]               = {};
+        for (std::size_t j = 0; j < system_.size(); ++j) {
+            if (j == i) continue;
+            residuals_[j] = residuals_[j] + system_.form_factors(j, i) * system_.reflectance[j] * change;
+        }
+    }
+
+    [[nodiscard]] const Radiosities& radiosities() const { return radiosities_; }
+    [[nodiscard]] double             residual() const { return relative_size(residuals_, system_.emission); }
+
+private:
+    /// Residuals stay positive: light is only ever added.
+    static double largest_of(const DoubleSpectrum& s) { return std::max({s.r, s.g, s.b}); }
+
+    const RadiositySystem& system_;
+    Radiosities            radiosities_;
+    Radiosities            residuals_;
+};
+
+}  // namespace sr

@@ -1,0 +1,251 @@
+/// @file radiosity_solvers.cpp
+/// Every solver against known solutions (oracles D1-D4, D6, D9, D10, D18), against each other, and on any number of
+/// threads.
+
+#include <doctest/doctest.h>
+
+#include <array>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "../../chapters/08_radiosity/known_systems.hpp"
+#include "law.hpp"
+#include "near.hpp"
+#include "radiosity/conjugate_gradients.hpp"
+#include "radiosity/direct_solution.hpp"
+#include "radiosity/gauss_seidel.hpp"
+#include "radiosity/progressive_shooting.hpp"
+#include "radiosity/reciprocity.hpp"
+#include "radiosity/relaxed_jacobi.hpp"
+#include "radiosity/residual.hpp"
+#include "radiosity/southwell.hpp"
+#include "radiosity/system_check.hpp"
+#include "sampling/rng.hpp"
+
+using namespace sr;
+using sr::test::check_law;
+using sr::test::counterexample;
+using sr::test::near;
+
+namespace {
+
+template <RadiositySolver S>
+Radiosities solved(S solver) {
+    const Convergence told = solve(solver, 1e-13, 1'000'000);
+    CHECK(told.reached);
+    return solver.radiosities();
+}
+
+struct NamedSolver {
+    std::string                                        name;
+    std::function<Radiosities(const RadiositySystem&)> solve;
+};
+
+const std::vector<NamedSolver> all_solvers{
+    {"direct", [](const auto& system) { return direct_solution(system); }},
+    {"Jacobi", [](const auto& system) { return solved(RelaxedJacobi(system)); }},
+    {"Jacobi, relaxed", [](const auto& system) { return solved(RelaxedJacobi(system, 0.7)); }},
+    {"Gauss-Seidel", [](const auto& system) { return solved(GaussSeidel(system)); }},
+    {"Southwell", [](const auto& system) { return solved(Southwell(system)); }},
+    {"shooting", [](const auto& system) { return solved(ProgressiveShooting(system)); }},
+    {"conjugate gradients", [](const auto& system) { return solved(ConjugateGradients(system)); }},
+};
+
+/// By all solvers, to 1e-10.
+void check_solution(const RadiositySystem& system, const std::vector<double>& expected) {
+    check_system(system);
+    REQUIRE(expected.size() == system.size());
+    for (const auto& [name, solve] : all_solvers) {
+        INFO(name);
+        const Radiosities found = solve(system);
+        for (std::size_t i = 0; i < expected.size(); ++i) {
+            CAPTURE(i);
+            CHECK(std::abs(found[i].r - expected[i]) <= 1e-10 * expected[i]);
+            CHECK(found[i] == DoubleSpectrum{found[i].r, found[i].r, found[i].r});
+        }
+    }
+}
+
+std::vector<GreyPatch> alike(std::size_t n, double reflectance, double emission) {
+    return std::vector<GreyPatch>(n, GreyPatch{reflectance, emission});
+}
+
+/// Reciprocal factors of n patches with random areas, rows that sum to less than 1, and what reflects and emits all
+/// kinds of light, some of them none.
+RadiositySystem random_system(std::uint64_t seed, std::size_t n) {
+    Rng             rng{seed, 0, 0, 0};
+    const auto      u = [&] { return rng.uniform<double>(); };
+    RadiositySystem system{FormFactorMatrix(n), {}, {}, {}};
+    for (std::size_t i = 0; i < n; ++i) system.area.push_back(0.1 + u());
+    double most = 1;
+    for (std::size_t i = 0; i < n; ++i) {
+        for (std::size_t j = 0; j <= i; ++j) {
+            const double exchanged    = u() < 0.3 ? 0 : u();
+            system.form_factors(i, j) = exchanged / system.area[i];
+            system.form_factors(j, i) = exchanged / system.area[j];
+        }
+    }
+    for (std::size_t i = 0; i < n; ++i) most = std::max(most, system.form_factors.row_sum(i));
+    for (std::size_t i = 0; i < n; ++i)
+        for (auto& factor : system.form_factors.row(i)) factor /= most;
+    const auto spectrum = [&](double scale) {
+        DoubleSpectrum s;
+        s.r = u() < 0.2 ? 0 : scale * u();
+        s.g = u() < 0.2 ? 0 : scale * u();
+        s.b = u() < 0.2 ? 0 : scale * u();
+        return s;
+    };
+    for (std::size_t i = 0; i < n; ++i) system.reflectance.push_back(spectrum(0.95));
+    for (std::size_t i = 0; i < n; ++i) system.emission.push_back(spectrum(10));
+    return system;
+}
+
+double largest_difference(const Radiosities& a, const Radiosities& b) {
+    double largest = 0;
+    for (std::size_t i = 0; i < a.size(); ++i)
+        for (const double d : {a[i].r - b[i].r, a[i].g - b[i].g, a[i].b - b[i].b})
+            if (!(std::abs(d) <= largest)) largest = std::abs(d);  // so that a NaN is the largest
+    return largest;
+}
+
+template <RadiositySolver S>
+Radiosities after(S solver, int steps) {
+    for (int i = 0; i < steps; ++i) solver.step();
+    return solver.radiosities();
+}
+
+}  // namespace
+
+TEST_CASE("D1: a closed room in which all emit 1 and reflect alike: B = 1 / (1 - rho)") {
+    for (const double rho : {0.5, 0.9, 0.99}) {
+        CAPTURE(rho);
+        check_solution(cube_of_faces(alike(6, rho, 1)), std::vector<double>(6, 1 / (1 - rho)));
+    }
+}
+
+TEST_CASE("D2: two infinite parallel plates") {
+    check_solution(two_plates({0.3, 1}, {0.8, 0}), {1.3157894736842105, 1.0526315789473684});
+}
+
+TEST_CASE("D3: concentric spheres, of which the outer one sees itself") {
+    check_solution(concentric_spheres(2, {0.2, 1}, {0.7, 0}), {1.0795454545454545, 0.39772727272727273});
+}
+
+TEST_CASE("D4: a cube of six reflectances, a patch for a face") {
+    check_solution(cube_of_faces({{0.1, 0}, {0.2, 0}, {0.3, 0}, {0.4, 0}, {0.5, 0}, {0.6, 1}}),
+                   {0.028553745330220307, 0.056010194252030836, 0.082424856742472415, 0.10786627730577122,
+                    0.13228470375560799, 1.0488500943597902});
+}
+
+TEST_CASE("D6: two strips at a right angle in black surroundings") {
+    check_solution(corner_of_strips({0.6, 1}, {0.6, 0}), {1.0318672784519794, 0.18133615714444637});
+}
+
+TEST_CASE("D9: the multiplier of an integrating sphere; its port is black, and so eliminated") {
+    // The whole sphere gets irradiance 1 at first, of which the wall reflects 0.98: that is what it emits.
+    check_solution(inside_of_a_sphere({{0.98, 0.98, 0.95}, {0, 0, 0.05}}), {14.202898550724638, 0});
+}
+
+TEST_CASE("D10: the apparent emissivity of a spherical cavity") {
+    const double opening = (1 - std::cos(std::numbers::pi / 6)) / 2;
+    check_solution(inside_of_a_sphere({{0.5, 0.5, 1 - opening}, {0, 0, opening}}), {0.93721827970531846, 0});
+}
+
+TEST_CASE("D18: k steps of Jacobi hold the light of fewer than k bounces") {
+    const auto system = cube_of_faces(alike(6, 0.5, 1));
+    for (const auto& [k, expected] : {std::pair{1, 1.0}, {5, 1.9375}, {10, 1.998046875}}) {
+        for (const auto& radiosity : after(RelaxedJacobi(system), k))
+            CHECK(radiosity.g == near(expected, 1e-14));
+    }
+}
+
+TEST_CASE("D17: a closed sphere that is one patch takes one step, for the divisor is its own light") {
+    const auto system = inside_of_a_sphere({{0.9, 1, 1}});
+    CHECK(after(RelaxedJacobi(system), 1)[0].r == near(10, 1e-14));
+    CHECK(after(ConjugateGradients(system), 1)[0].r == near(10, 1e-14));
+}
+
+TEST_CASE("all solvers agree on random reciprocal systems") {
+    const auto agree = [](const NamedSolver& solver) {
+        return [&] {
+            const auto   seed     = *rc::gen::arbitrary<std::uint32_t>();
+            const auto   n        = *rc::gen::inRange<std::size_t>(1, 12);
+            const auto   system   = random_system(seed, n);
+            const double rounding = 1e-10;  // and a residual of 1e-13 of 10, with a condition of 20
+            RC_ASSERT(largest_difference(solver.solve(system), direct_solution(system)) <= rounding);
+        };
+    };
+    for (const auto& solver : all_solvers) check_law(solver.name, agree(solver), 200);
+
+    // One with F transposed is found out.
+    CHECK(counterexample(agree({"transposed",
+                                [](RadiositySystem system) {
+                                    for (std::size_t i = 0; i < system.size(); ++i)
+                                        for (std::size_t j = 0; j < i; ++j)
+                                            std::swap(system.form_factors(i, j), system.form_factors(j, i));
+                                    return direct_solution(system);
+                                }}),
+                         200) != "");
+}
+
+TEST_CASE("the solution is the same to the bit on any number of threads") {
+    const auto system = random_system(3, 200);
+    CHECK(after(RelaxedJacobi(system, 1, 1), 10) == after(RelaxedJacobi(system, 1, 7), 10));
+    CHECK(after(ConjugateGradients(system, 1), 5) == after(ConjugateGradients(system, 7), 5));
+    CHECK(residuals(system, system.emission, 1) == residuals(system, system.emission, 0));
+}
+
+TEST_CASE("a solver says how it came along, and stops at its limit, or at NaN") {
+    const auto    system = two_plates({0.5, 1}, {0.5, 1});
+    RelaxedJacobi solver(system);
+    const auto    told = solve(solver, 1e-30, 4);
+    CHECK_FALSE(told.reached);
+    CHECK(told.steps() == 4);
+    CHECK(told.residuals == std::vector<double>{1, 0.5, 0.25, 0.125, 0.0625});
+
+    const auto    broken = two_plates({0.5, std::nan("")}, {0.5, 1});
+    RelaxedJacobi lost(broken);
+    CHECK(solve(lost, 1e-6, 4).steps() == 0);
+    CHECK_FALSE(solve(lost, 1e-6, 4).reached);
+
+    const auto         dark = two_plates({0.5, 0}, {0.5, 0});
+    ConjugateGradients easy(dark);
+    CHECK(solve(easy, 1e-14, 10).steps() == 0);
+    easy.step();
+    CHECK(easy.radiosities()[0] == DoubleSpectrum{});
+}
+
+TEST_CASE("conjugate gradients end after as many steps as there are different eigenvalues") {
+    // C4: of the cube's faces, alike, there are three.
+    auto system        = cube_of_faces(alike(6, 0.99, 0));
+    system.emission[5] = {1, 2, 3};
+    ConjugateGradients solver(system);
+    CHECK(solve(solver, 1e-13, 100).steps() <= 3);
+}
+
+TEST_CASE("the ambient term is the whole truth in a room of one colour that is lit evenly") {
+    const auto                system = cube_of_faces(alike(6, 0.9, 1));
+    const ProgressiveShooting at_once(system);
+    for (const auto& radiosity : at_once.radiosities_with_ambient()) CHECK(radiosity.r == near(10, 1e-14));
+    for (const auto& radiosity : at_once.radiosities()) CHECK(radiosity.r == 1);
+}
+
+TEST_CASE("symmetrised factors are reciprocal, and their rows no longer sum to 1") {
+    auto system = concentric_spheres(2, {0.2, 1}, {0.7, 0});
+    CHECK(reciprocity_defect(system.form_factors, system.area) == 0);
+    system.form_factors(0, 1) = 0.98;
+    system.form_factors(0, 0) = 0.02;
+    CHECK(reciprocity_defect(system.form_factors, system.area) == near(0.02, 1e-12));
+    const auto mended = symmetrised(system.form_factors, system.area);
+    CHECK(reciprocity_defect(mended, system.area) <= 1e-16);
+    CHECK(mended.row_sum(0) == near(1.01, 1e-14));
+    CHECK(mended.row_sum(1) == near(0.9975, 1e-14));
+    CHECK_THROWS_WITH_AS(
+        ConjugateGradients{system},
+        "the form factors between patches 1 and 0 are 0.25 and 0.98 for areas 4 and 1, which is "
+        "not reciprocal; make them symmetrised()",
+        std::invalid_argument);
+}
