@@ -81,17 +81,28 @@ TEST_CASE("C6: disks on one axis, in closed form") {
     CHECK(coaxial_disks(3, 1, 0) == near(1.0 / 9, 1e-15));
 }
 
-TEST_CASE("C1-C3: the exchange area meets the closed forms, the closer the smaller its tolerance") {
-    for (const auto& [tolerance, error] :
-         {std::pair{0.01, 1e-9}, {1e-3, 1e-9}, {1e-4, 1e-9}, {1e-6, 1e-12}}) {
+TEST_CASE("C1-C3: the exchange area meets the closed forms to its tolerance") {
+    for (const double tolerance : {0.01, 1e-3, 1e-4, 1e-6}) {
         CAPTURE(tolerance);
         for (const double c : {0.1, 1.0, 10.0})
             CHECK(exchange_of(level(1, 1), level(1, 1, c).reversed(), tolerance) ==
-                  near(opposed_rectangles(1, 1, c), error));
-        CHECK(exchange_of(level(1, 1), upright(1, 1), tolerance) == near(0.20004377607540315, error));
-        CHECK(exchange_of(level(2, 1), upright(1, 3), tolerance) == near(0.16169401433302758, error));
-        CHECK(exchange_of(level(1, 2), upright(2, 0.5), tolerance) == near(0.16685539497330043, error));
+                  near(opposed_rectangles(1, 1, c), tolerance));
+        CHECK(exchange_of(level(1, 1), upright(1, 1), tolerance) == near(0.20004377607540315, tolerance));
+        CHECK(exchange_of(level(2, 1), upright(1, 3), tolerance) == near(0.16169401433302758, tolerance));
+        CHECK(exchange_of(level(1, 2), upright(2, 0.5), tolerance) == near(0.16685539497330043, tolerance));
     }
+}
+
+TEST_CASE("what is not seen from before, or does not look here, has no exchange") {
+    CHECK(exchange_area(level(1, 1), level(1, 1, 1)) == 0);
+    CHECK(exchange_area(level(1, 1, 1), level(1, 1).reversed()) == 0);
+    CHECK(exchange_area(level(1, 1), level(2, 1)) == 0);
+    const Patches    patches = cube(1);
+    const Visibility visibility{mesh_of(patches).mesh};
+    CHECK_THROWS_AS((void)form_factors(patches, visibility, {.tolerance = 0}), std::invalid_argument);
+    CHECK_THROWS_AS((void)form_factors(patches, visibility, {.tolerance = std::nan("")}),
+                    std::invalid_argument);
+    CHECK_THROWS_AS((void)form_factors(patches, visibility, {.strata = 0}), std::invalid_argument);
 }
 
 TEST_CASE(
@@ -109,8 +120,7 @@ TEST_CASE(
                 lopsided = std::max(lopsided, std::abs(patches.shapes[i].area() * F(i, j) -
                                                        patches.shapes[j].area() * F(j, i)));
         }
-        CHECK(worst <= 1e-3);
-        MESSAGE(worst);
+        CHECK(worst <= 1e-4);
         CHECK(lopsided <= 1e-16);
         const auto again = form_factors(patches, visibility, {}, {.threads = 7});
         for (std::size_t i = 0; i < F.size(); ++i) CHECK(std::ranges::equal(F.row(i), again.row(i)));
