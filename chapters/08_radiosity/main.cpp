@@ -56,19 +56,16 @@ void failures(course::Chapter& chapter) {
 
 int main(int argc, char** argv) {
     using namespace sr;
-    const course::Defaults defaults{.renders_scene = true};
-    return course::run(
-        argc, argv, "08_radiosity", "Radiosity",
-        [](course::Chapter& chapter) {
-            radiosity_equation(chapter);
-            form_factors(chapter);
-            computing_form_factors(chapter);
-            linear_system(chapter);
-            solvers(chapter);
-            convergence(chapter);
-            cornell_box_views(chapter);
-            hierarchical(chapter);
-            failures(chapter);
-        },
-        defaults);
+    const course::Defaults defaults{.scene_section = "8.7"};
+    return course::run(argc, argv, "08_radiosity", "Radiosity", defaults, [](course::Chapter& chapter) {
+        radiosity_equation(chapter);
+        form_factors(chapter);
+        computing_form_factors(chapter);
+        linear_system(chapter);
+        solvers(chapter);
+        convergence(chapter);
+        cornell_box_views(chapter);
+        hierarchical(chapter);
+        failures(chapter);
+    });
 }
