@@ -52,11 +52,14 @@ namespace sr {
            std::numbers::pi;
 }
 
-/// Whether some part of each lies before the other's surface. (Whether anything is between them is another question.)
+/// Whether some part of each lies before the other's surface, by more than their corners may be rounded: pieces of one
+/// wall don't face each other. (Whether anything is between them is another question.)
 [[nodiscard]] inline bool face_each_other(const Patch& a, const Patch& b) {
     const auto is_before = [](const Patch& of, const Patch& patch) {
+        const double rounding =
+            of.surface_point(of.centre()).error + patch.surface_point(patch.centre()).error;
         for (const auto& corner : patch.corners())
-            if (dot(corner - of.centre(), of.normal()) > 0) return true;
+            if (dot(corner - of.centre(), of.normal()) > rounding) return true;
         return false;
     };
     return is_before(a, b) && is_before(b, a);

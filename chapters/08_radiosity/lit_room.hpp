@@ -1,0 +1,67 @@
+#pragma once
+/// @file lit_room.hpp
+/// A room that all solvers can be tried on: the inside of a unit cube of one colour, lit from its ceiling.
+
+#include <cmath>
+#include <vector>
+
+#include "known_systems.hpp"
+#include "math/square.hpp"
+#include "radiosity/form_factors.hpp"
+
+namespace sr {
+
+/// The six faces, with their fronts to the inside.
+[[nodiscard]] inline std::vector<Polygon> inside_of_a_cube() {
+    using Point = Vector3<double>;
+    std::vector<Polygon> faces;
+    for (int axis = 0; axis < 3; ++axis) {
+        for (const double at : {0.0, 1.0}) {
+            const auto corner = [&](double u, double v) {
+                Point p;
+                p[axis]           = at;
+                p[(axis + 1) % 3] = u;
+                p[(axis + 2) % 3] = v;
+                return p;
+            };
+            const Patch face{corner(0, 0), corner(1, 0), corner(1, 1),
+                             corner(0, 1)};  // its normal is along +axis
+            faces.push_back({at == 0 ? face : face.reversed(), {}, {}, 0});
+        }
+    }
+    return faces;
+}
+
+/// Each face cut n x n; what lies near the middle of the ceiling shines with a radiosity of 1.
+[[nodiscard]] inline RadiositySystem lit_room(int n, double reflectance, int threads) {
+    const Patches   patches = cut(inside_of_a_cube(), 1.0 / n);
+    RadiositySystem room{form_factors(patches, Visibility(mesh_of(patches).mesh), {}, {threads}), {}, {}, {}};
+    for (const auto& shape : patches.shapes) {
+        const auto c      = shape.centre();
+        const bool shines = c.z > 0.99 && std::abs(c.x - 0.5) < 0.3 && std::abs(c.y - 0.5) < 0.3;
+        room.area.push_back(shape.area());
+        room.reflectance.push_back(grey(reflectance));
+        room.emission.push_back(grey(shines ? 1 : 0));
+    }
+    return room;
+}
+
+/// The same room in another grey.
+[[nodiscard]] inline RadiositySystem painted(RadiositySystem room, double reflectance) {
+    for (auto& rho : room.reflectance) rho = grey(reflectance);
+    return room;
+}
+
+/// How wrong radiosities are: the root of their mean square difference over that of the exact ones, by area, in the
+/// first primary.
+[[nodiscard]] inline double relative_error(const RadiositySystem& system, const Radiosities& found,
+                                           const Radiosities& exact) {
+    double wrong = 0, whole = 0;
+    for (std::size_t i = 0; i < exact.size(); ++i) {
+        wrong += system.area[i] * square(found[i].r - exact[i].r);
+        whole += system.area[i] * square(exact[i].r);
+    }
+    return std::sqrt(wrong / whole);
+}
+
+}  // namespace sr
