@@ -2,11 +2,10 @@
 /// @file point_form_factors.hpp
 /// Form factors from one point: what a patch is replaced by where it is small, and what others are summed up of.
 
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
-#include <span>
+#include <vector>
 
 #include "math/frame.hpp"
 #include "math/square.hpp"
@@ -40,16 +39,16 @@ namespace sr {
 }
 
 /// From the point p of a surface to a whole patch [1], exact unless something is between them: the patch's projected
-/// solid angle over pi, by Lambert's sum over its sides, equation (8.7). 0 from behind the patch.
+/// solid angle over pi, by Lambert's sum over its sides, equations (5.19) and (8.11). 0 from behind the patch, and from
+/// its own plane, in which a point lies up to rounding: there the sum may jump to 1/2.
 [[nodiscard]] inline double contour_form_factor(const Vector3<double>& p, const Vector3<double>& normal,
                                                 const Patch& to) {
-    if (!(dot(p - to.centre(), to.normal()) > 0)) return 0;
-    const auto                     frame   = frame_around(normal);
-    const auto                     corners = to.corners();
-    std::array<Vector3<double>, 4> seen;
-    for (std::size_t i = 0; i < corners.size(); ++i) seen[i] = frame.to_local(corners[i] - p);
-    return projected_solid_angle(std::span<const Vector3<double>>(seen.data(), corners.size())).value() /
-           std::numbers::pi;
+    const double rounding = rounding_bound(size_of(p)) + to.surface_point(to.centre()).error;
+    if (!(dot(p - to.centre(), to.normal()) > rounding)) return 0;
+    const auto                   frame = frame_around(normal);
+    std::vector<Vector3<double>> seen;
+    for (const auto& corner : to.corners()) seen.push_back(frame.to_local(corner - p));
+    return projected_solid_angle(seen).value() / std::numbers::pi;
 }
 
 /// Whether some part of each lies before the other's surface, by more than their corners may be rounded: pieces of one

@@ -126,3 +126,19 @@ TEST_CASE(
         for (std::size_t i = 0; i < F.size(); ++i) CHECK(std::ranges::equal(F.row(i), again.row(i)));
     }
 }
+
+TEST_CASE("from a point of a wall no piece of that wall is seen, however its corners are rounded") {
+    for (const int n : {3, 5, 6, 7, 12}) {
+        const Patches patches = cube(n);
+        for (std::size_t i = 0; i < patches.size(); ++i) {
+            const Patch& from = patches.shapes[i];
+            double       sum  = 0;
+            for (const auto& to : patches.shapes) {
+                const double F = contour_form_factor(from.at({0.3, 0.7}), from.normal(), to);
+                if (dot(from.normal(), to.normal()) > 0.5) CHECK(F == 0);
+                sum += F;
+            }
+            CHECK(sum == near(1, 1e-12));
+        }
+    }
+}
