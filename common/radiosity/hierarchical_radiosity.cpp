@@ -1,0 +1,180 @@
+/// @file hierarchical_radiosity.cpp
+
+#include "radiosity/hierarchical_radiosity.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "radiosity/exchange_area.hpp"
+#include "radiosity/rows.hpp"
+#include "radiosity/visible_share.hpp"
+
+namespace sr {
+namespace {
+
+/// The nodes of a link that is still to be computed.
+struct Pair {
+    std::uint32_t receiver, source;
+};
+
+void check(std::span<const Polygon> polygons, const HierarchicalSettings& settings) {
+    const auto refuse = [](const char* what, double value, const char* right) {
+        throw std::invalid_argument(
+            fmt::format("hierarchical radiosity: {} is {}; must be {}", what, value, right));
+    };
+    if (!(settings.bound > 0)) refuse("the bound", settings.bound, "above 0");
+    if (!(settings.smallest >= 0)) refuse("the smallest area", settings.smallest, "0 or more");
+    if (!(settings.tolerance > 0)) refuse("the tolerance", settings.tolerance, "above 0");
+    if (settings.strata < 1) refuse("the number of strata", settings.strata, "1 or more");
+    for (std::size_t i = 0; i < polygons.size(); ++i) {
+        const auto& [r, g, b] = polygons[i].reflectance;
+        if (!each_in(polygons[i].reflectance, 0, 1))
+            throw std::invalid_argument(
+                fmt::format("polygon {}: its reflectance is ({}, {}, {}); must be from 0 to 1", i, r, g, b));
+    }
+}
+
+double largest(DoubleSpectrum s) {
+    return std::max({std::abs(s.r), std::abs(s.g), std::abs(s.b)});
+}
+
+/// A solution in the making.
+class Refinement {
+public:
+    Refinement(std::span<const Polygon> polygons, const Visibility& visibility,
+               const HierarchicalSettings& settings)
+        : settings_{settings}, visibility_{visibility}, solution_{Quadtrees(polygons), {}, {}} {
+        std::vector<Pair> pairs;
+        for (std::uint32_t a = 0; a < polygons.size(); ++a)
+            for (std::uint32_t b = 0; b < polygons.size(); ++b)
+                if (a != b) pairs.push_back({a, b});
+        for (const auto& polygon : polygons) solution_.radiosities.push_back(polygon.emission);
+        add_links(pairs);
+        solve();
+    }
+
+    /// Cuts the nodes of links until the oracle is content with all of them.
+    void refine(double bound) {
+        for (auto pairs = replaced_links(bound); !pairs.empty(); pairs = replaced_links(bound))
+            add_links(pairs);
+    }
+
+    /// Jacobi's iteration from the radiosities that there are. A new node begins with its parent's.
+    void solve() {
+        constexpr int limit = 1000;
+        for (int step = 0; step < limit; ++step) {
+            auto   next   = solution_.trees.push_pull(gathered());
+            double change = 0, reflected = 0;
+            for (std::size_t i = 0; i < next.size(); ++i) {
+                change    = std::max(change, largest(next[i] - solution_.radiosities[i]));
+                reflected = std::max(reflected, largest(next[i] - solution_.trees.polygon_of(i).emission));
+            }
+            solution_.radiosities = std::move(next);
+            if (change <= settings_.tolerance * reflected) return;
+        }
+        throw std::runtime_error(
+            fmt::format("hierarchical radiosity: no solution after {} steps; "
+                        "does a closed scene reflect all of its light?",
+                        limit));
+    }
+
+    /// Links that were kept because smaller nodes might see each other carry nothing.
+    [[nodiscard]] HierarchicalSolution take() {
+        std::erase_if(solution_.links, [](const RadiosityLink& link) { return link.visible == 0; });
+        solution_.links.shrink_to_fit();
+        return std::move(solution_);
+    }
+
+private:
+    /// Removes the links that are too coarse. @return those that take their place
+    [[nodiscard]] std::vector<Pair> replaced_links(double bound) {
+        auto& [trees, links, radiosities] = solution_;
+        const auto        ends            = ends_to_cut(settings_.oracle, trees, links, radiosities,
+                                                        settings_.strata * settings_.strata, bound);
+        std::vector<Pair> pairs;
+        std::size_t       kept = 0;
+        for (std::size_t i = 0; i < links.size(); ++i) {
+            const auto [a, b, form_factor, visible] = links[i];
+            const std::uint32_t cut                 = ends[i] == LinkEnd::receiver ? a : b;
+            if (ends[i] == LinkEnd::none || !(trees[cut].shape.area() >= 4 * settings_.smallest)) {
+                links[kept++] = links[i];
+                continue;
+            }
+            const std::uint32_t first = trees.children(cut);
+            radiosities.resize(trees.size(), radiosities[cut]);
+            for (std::uint32_t child = first; child < first + 4; ++child)
+                pairs.push_back(cut == a ? Pair{child, b} : Pair{a, child});
+        }
+        links.resize(kept);
+        return pairs;
+    }
+
+    void add_links(const std::vector<Pair>& pairs) {
+        std::vector<RadiosityLink> more(pairs.size());
+        constexpr std::size_t      block = 256;
+        for_each_row((pairs.size() + block - 1) / block, {.threads = settings_.threads},
+                     [&](std::size_t row) {
+                         for (std::size_t i = row * block; i < std::min(pairs.size(), (row + 1) * block); ++i)
+                             more[i] = link(pairs[i]);
+                     });
+        for (const auto& each : more)
+            if (each.form_factor > 0) solution_.links.push_back(each);
+    }
+
+    [[nodiscard]] RadiosityLink link(const Pair& pair) const {
+        const Patch &p = solution_.trees[pair.receiver].shape, &q = solution_.trees[pair.source].shape;
+        const double exchange = exchange_area(p, q);
+        Rng          rng{settings_.seed, pair.receiver, pair.source, 0};
+        const double visible = exchange > 0 ? visible_share(p, q, visibility_, settings_.strata, rng) : 0;
+        return {pair.receiver, pair.source, float(exchange / p.area()), float(visible)};
+    }
+
+    /// What arrives at each node over its own links: irradiances [W/m^2].
+    [[nodiscard]] Radiosities gathered() const {
+        Radiosities irradiances(solution_.trees.size());
+        for (const auto& [receiver, source, form_factor, visible] : solution_.links)
+            irradiances[receiver] =
+                irradiances[receiver] + double(form_factor) * double(visible) * solution_.radiosities[source];
+        return irradiances;
+    }
+
+    HierarchicalSettings settings_;
+    const Visibility&    visibility_;
+    HierarchicalSolution solution_;
+};
+
+/// In what the oracle's bounds are shares of: W, or W/m.
+double unit_of_bound(std::span<const Polygon> polygons, LinkOracle oracle) {
+    double         area = 0;
+    DoubleSpectrum power;
+    for (const auto& polygon : polygons) {
+        area += polygon.shape.area();
+        power = power + polygon.shape.area() * polygon.emission;
+    }
+    return oracle == LinkOracle::power ? largest(power) : largest(power) / std::sqrt(area);
+}
+
+}  // namespace
+
+std::size_t HierarchicalSolution::bytes() const {
+    return trees.bytes() + links.capacity() * sizeof(RadiosityLink) +
+           radiosities.capacity() * sizeof(DoubleSpectrum);
+}
+
+HierarchicalSolution hierarchical_radiosity(std::span<const Polygon> polygons, const Visibility& visibility,
+                                            const HierarchicalSettings& settings) {
+    check(polygons, settings);
+    const double unit = unit_of_bound(polygons, settings.oracle);
+    Refinement   refinement(polygons, visibility, settings);
+    for (double times = 64; times >= 1; times /= 4) {
+        refinement.refine(times * settings.bound * unit);
+        refinement.solve();
+    }
+    return refinement.take();
+}
+
+}  // namespace sr
