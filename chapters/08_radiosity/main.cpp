@@ -1,6 +1,7 @@
 /// @file main.cpp
 /// Chapter 8, radiosity: diffuse surfaces cut into patches, and the light that they send each other as a linear system.
 
+#include "convergence_chart.hpp"
 #include "course/chapter.hpp"
 
 namespace sr {
@@ -34,6 +35,7 @@ void solvers(course::Chapter& chapter) {
 /// 8.6  How many patches does it take?
 void convergence(course::Chapter& chapter) {
     chapter.section("8.6 How fine a mesh");
+    chart_convergence(chapter);
 }
 
 /// 8.7  What does the Cornell box look like, from anywhere?
