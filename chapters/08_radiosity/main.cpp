@@ -3,6 +3,8 @@
 
 #include "convergence_chart.hpp"
 #include "course/chapter.hpp"
+#include "surfaces_diagram.hpp"
+#include "two_sums.hpp"
 
 namespace sr {
 namespace {
@@ -10,6 +12,20 @@ namespace {
 /// 8.1  What is left of the rendering equation where all is diffuse?
 void radiosity_equation(course::Chapter& chapter) {
     chapter.section("8.1 From the rendering equation to radiosities");
+    auto diagram = chapter.diagram("surfaces", "From directions to surfaces");
+    draw_surfaces(diagram);
+    diagram.caption(
+        "Each direction ends on a surface; seen from $p$, its area fills a part of the directions.");
+
+    const RoomFaces       faces{0.2, 0.4, 0.6, 0.8, 1.0};
+    const Vector3<double> p{0.3, 0.4, 0};
+    const auto            directions = irradiance_over_directions(faces, p, 1'000'000);
+    chapter.claim("8.1 irradiance at (0.3, 0.4) from walls of 0.2, 0.4, 0.6 and 0.8, over surfaces [W/m^2]",
+                  {.expected = 0.5815, .measured = irradiance_over_surfaces(faces, p), .tolerance = 5e-5});
+    chapter.claim("8.1 irradiance, over directions [W/m^2]",
+                  {.expected = 0.5815, .measured = directions.mean(), .tolerance = 0.0012});
+    chapter.claim("8.1 its standard error [W/m^2]",
+                  {.expected = 0.0003, .measured = directions.standard_error(), .tolerance = 5e-5});
 }
 
 /// 8.2  Which share of one patch's light arrives at another?
