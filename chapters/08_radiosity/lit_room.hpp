@@ -8,6 +8,7 @@
 #include "known_systems.hpp"
 #include "math/square.hpp"
 #include "radiosity/form_factors.hpp"
+#include "radiosity/patch_system.hpp"
 
 namespace sr {
 
@@ -34,16 +35,14 @@ namespace sr {
 
 /// Each face cut n x n; what lies near the middle of the ceiling shines with a radiosity of 1.
 [[nodiscard]] inline RadiositySystem lit_room(int n, double reflectance, int threads) {
-    const Patches   patches = cut(inside_of_a_cube(), 1.0 / n);
-    RadiositySystem room{form_factors(patches, Visibility(mesh_of(patches).mesh), {}, {threads}), {}, {}, {}};
-    for (const auto& shape : patches.shapes) {
-        const auto c      = shape.centre();
-        const bool shines = c.z > 0.99 && std::abs(c.x - 0.5) < 0.3 && std::abs(c.y - 0.5) < 0.3;
-        room.area.push_back(shape.area());
-        room.reflectance.push_back(grey(reflectance));
-        room.emission.push_back(grey(shines ? 1 : 0));
+    Patches patches = cut(inside_of_a_cube(), 1.0 / n);
+    for (std::size_t i = 0; i < patches.size(); ++i) {
+        const auto c           = patches.shapes[i].centre();
+        const bool shines      = c.z > 0.99 && std::abs(c.x - 0.5) < 0.3 && std::abs(c.y - 0.5) < 0.3;
+        patches.reflectance[i] = grey(reflectance);
+        patches.emission[i]    = grey(shines ? 1 : 0);
     }
-    return room;
+    return system_of(patches, form_factors(patches, Visibility(mesh_of(patches).mesh), {}, {threads}));
 }
 
 /// The same room in another grey.

@@ -1,6 +1,7 @@
 /// @file main.cpp
 /// Chapter 8, radiosity: diffuse surfaces cut into patches, and the light that they send each other as a linear system.
 
+#include "bounces_chart.hpp"
 #include "convergence_chart.hpp"
 #include "course/chapter.hpp"
 #include "surfaces_diagram.hpp"
@@ -41,6 +42,8 @@ void computing_form_factors(course::Chapter& chapter) {
 /// 8.4  Which equations do they make, and what if their rows don't add up to 1?
 void linear_system(course::Chapter& chapter) {
     chapter.section("8.4 The linear system");
+    claim_known_systems(chapter);
+    chart_bounces(chapter);
 }
 
 /// 8.5  How is it solved, and how fast?
