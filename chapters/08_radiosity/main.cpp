@@ -2,8 +2,11 @@
 /// Chapter 8, radiosity: diffuse surfaces cut into patches, and the light that they send each other as a linear system.
 
 #include "bounces_chart.hpp"
+#include "bright_rooms.hpp"
 #include "convergence_chart.hpp"
 #include "course/chapter.hpp"
+#include "relaxation_charts.hpp"
+#include "solvers_chart.hpp"
 #include "surfaces_diagram.hpp"
 #include "two_sums.hpp"
 
@@ -49,6 +52,18 @@ void linear_system(course::Chapter& chapter) {
 /// 8.5  How is it solved, and how fast?
 void solvers(course::Chapter& chapter) {
     chapter.section("8.5 Solving it");
+    claim_two_plates(chapter);
+    claim_too_large_lambda(chapter);
+    chart_lambda(chapter);
+    chart_lambda_map(chapter);
+    chart_solvers(chapter);
+    chart_residuals(chapter);
+    claim_sweeps(chapter);
+    chart_ambient(chapter);
+    chart_towards_one(chapter);
+    claim_steps_towards_one(chapter);
+    chart_stagnation(chapter);
+    claim_stagnation(chapter);
 }
 
 /// 8.6  How many patches does it take?

@@ -17,7 +17,8 @@ RelaxedJacobi::RelaxedJacobi(const RadiositySystem& system, double lambda, int t
 }
 
 void RelaxedJacobi::step() {
-    for (std::size_t i = 0; i < system_.size(); ++i)  // (8.16)
+    // (8.16) to each what its equation misses
+    for (std::size_t i = 0; i < system_.size(); ++i)
         radiosities_[i] = radiosities_[i] + lambda_ * residuals_[i] / diagonal(system_, i);
     residuals_ = residuals(system_, radiosities_, threads_);
 }

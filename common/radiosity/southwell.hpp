@@ -24,6 +24,7 @@ public:
         const DoubleSpectrum change = residuals_[i] / diagonal(system_, i);
         radiosities_[i]             = radiosities_[i] + change;
         residuals_[i]               = {};
+        // what the others now miss
         for (std::size_t j = 0; j < system_.size(); ++j) {
             if (j == i) continue;
             residuals_[j] = residuals_[j] + system_.form_factors(j, i) * system_.reflectance[j] * change;
