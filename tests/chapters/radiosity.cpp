@@ -11,6 +11,18 @@ TEST_CASE("chapter 8: claims and text agree, figures have their data, renders do
     const ChapterRuns runs("08_radiosity", "--size 64");
     runs.check_claims({});
 
+    runs.check_chart("bounces", {"series"}, 4 * 10);
+    runs.check_chart("lambda", {"series"}, 3 * (18 + 179));
+    runs.check_chart("lambda_map", {"series"}, 2 * 100);
+    for (const std::string room : {"solvers", "solvers_dark", "solvers_bright"}) {
+        for (const auto& row : runs.check_chart(room, speed_accuracy_columns, 1 + 5 * 5).rows)
+            CHECK(row[3].number() > 0);
+    }
+    runs.check_chart("residuals", {"series"}, 4 * 12 + 2 * 12);
+    runs.check_chart("ambient", {"series"}, 2 * 30);
+    runs.check_chart("towards_one", {"series"}, 5 * 16);
+    runs.check_chart("stagnation", {"series"}, 2 * 19 + 15);
+    runs.check_chart("surfaces", {"shape"}, 15);
     for (const auto& row : runs.check_chart("convergence", speed_accuracy_columns, 2 * 6 + 2 * 8 + 5).rows)
         CHECK(row[3].number() > 0);
     runs.check_renders(0);
