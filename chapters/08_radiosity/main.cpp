@@ -4,7 +4,11 @@
 #include "bounces_chart.hpp"
 #include "bright_rooms.hpp"
 #include "convergence_chart.hpp"
+#include "cornell_views.hpp"
 #include "course/chapter.hpp"
+#include "light_leaks.hpp"
+#include "matrix_picture.hpp"
+#include "own_scene.hpp"
 #include "relaxation_charts.hpp"
 #include "solvers_chart.hpp"
 #include "surfaces_diagram.hpp"
@@ -73,8 +77,22 @@ void convergence(course::Chapter& chapter) {
 }
 
 /// 8.7  What does the Cornell box look like, from anywhere?
-void cornell_box_views(course::Chapter& chapter) {
+/// @param own  scene, of the person who asks, beside it
+void cornell_box_views(course::Chapter& chapter, const std::optional<OwnScene>& own) {
     chapter.section("8.7 The Cornell box");
+    if (own) render_own_scene(chapter, *own);
+    const int    threads = chapter.options().threads;
+    const double coarse  = 90;  // [mm], whatever the quality: its numbers are in the text
+    const auto   box     = solve_cornell_box(coarse, threads);
+    const auto   aligned =
+        solve_patches(cut(polygons_with_aligned_floor(), coarse), cornell_box().mesh, threads);
+    show_matrix(chapter, box, aligned);
+    render_bounces(chapter, box);
+    if (chapter.options().quality == course::Quality::draft)
+        render_views(chapter, box);
+    else
+        render_views(chapter, solve_cornell_box(coarse / 2, threads));
+    show_leaks(chapter, box, aligned);
 }
 
 /// 8.8  Must every patch know every other?
@@ -94,13 +112,14 @@ int main(int argc, char** argv) {
     using namespace sr;
     const course::Defaults defaults{.scene_section = "8.7"};
     return course::run(argc, argv, "08_radiosity", "Radiosity", defaults, [](course::Chapter& chapter) {
+        const auto own = own_scene(chapter);  // first: what is wrong with it is told before any work is done
         radiosity_equation(chapter);
         form_factors(chapter);
         computing_form_factors(chapter);
         linear_system(chapter);
         solvers(chapter);
         convergence(chapter);
-        cornell_box_views(chapter);
+        cornell_box_views(chapter, own);
         hierarchical(chapter);
         failures(chapter);
     });

@@ -25,5 +25,7 @@ TEST_CASE("chapter 8: claims and text agree, figures have their data, renders do
     runs.check_chart("surfaces", {"shape"}, 15);
     for (const auto& row : runs.check_chart("convergence", speed_accuracy_columns, 2 * 6 + 2 * 8 + 5).rows)
         CHECK(row[3].number() > 0);
-    runs.check_renders(0);
+    runs.check_chart("leaks", {"series", "$x$ [mm]"}, 4 * 92);
+    runs.check_chart("parts", {"shape"}, 8 * 9);
+    runs.check_renders(12);
 }
