@@ -27,7 +27,7 @@ inline void draw_room_of_surfaces(course::Diagram diagram, Point p) {
     diagram.line(x - Point{0.8, 0}, x + Point{0.8, 0}, {Ink::green, Weight::thick});
     diagram.line(p, x, {Ink::black, Weight::thin, true});
     diagram.arrow(x, x - Point{0, 2}, {Ink::green});
-    draw_angle(diagram, x, 1.2, sight + 180, 270, "$\\theta_x$", 1.5);
+    diagram.line(arc(x, 1.2, sight + 180, 270), {Ink::black, Weight::thin});
     diagram.point(x, {Ink::green});
     const Point stop = p + 4.1 / 6.4 * (hidden - p);
     diagram.line(p, stop, {Ink::vermilion, Weight::medium});
@@ -35,7 +35,8 @@ inline void draw_room_of_surfaces(course::Diagram diagram, Point p) {
     diagram.point(hidden, {Ink::vermilion});
     diagram.point(p);
     diagram.label(x + Point{0, 0.5}, "$dA_x$", Anchor::centre, Ink::green);
-    diagram.label(x + Point{0.15, -2.25}, "$\\mathbf{n}_x$", Anchor::centre, Ink::green);
+    diagram.label(x + Point{0.3, -1.7}, "$\\mathbf{n}_x$", Anchor::left, Ink::green);
+    diagram.label(x + Point{-0.6, -1.95}, "$\\theta_x$", Anchor::centre);
     diagram.label(p + Point{1.6, 2.9}, "$r_{px}$", Anchor::right);
     diagram.label(hidden + Point{0.25, 0}, "$V = 0$", Anchor::left, Ink::vermilion);
     diagram.label(p + Point{1.9, -1.5}, "$d\\omega = V\\, \\cos\\theta_x\\, dA_x / r_{px}^2$",
