@@ -41,6 +41,20 @@ inline void chart_bounces(course::Chapter& chapter) {
         "before.");
 }
 
+/// The first terms of (8.14), by steps of Jacobi.
+inline void claim_terms(course::Chapter& chapter) {
+    const auto    room = cube_of_faces(std::vector<GreyPatch>(6, {0.5, 1}));
+    RelaxedJacobi jacobi(room);
+    for (int terms = 1; terms <= 10; ++terms) {
+        jacobi.step();
+        if (terms != 1 && terms != 5 && terms != 10) continue;
+        const double exact = terms == 1 ? 1 : terms == 5 ? 1.9375 : 1.998046875;
+        chapter.claim(fmt::format("8.4 closed room, all emit 1 and reflect 0.5: {} terms [W/m^2]", terms),
+                      {.expected = exact, .measured = jacobi.radiosities()[0].r, .tolerance = 1e-12});
+    }
+}
+
+/// Solutions that are known by hand, as the program finds them.
 inline void claim_known_systems(course::Chapter& chapter) {
     course::Rows table{{"system", "patch", "radiosity [W/m^2]"}};
     const auto   claim = [&](const std::string& what, const RadiositySystem& system, std::size_t patch,

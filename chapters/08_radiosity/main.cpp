@@ -50,6 +50,7 @@ void computing_form_factors(course::Chapter& chapter) {
 void linear_system(course::Chapter& chapter) {
     chapter.section("8.4 The linear system");
     claim_known_systems(chapter);
+    claim_terms(chapter);
     chart_bounces(chapter);
 }
 
@@ -58,6 +59,7 @@ void solvers(course::Chapter& chapter) {
     chapter.section("8.5 Solving it");
     claim_two_plates(chapter);
     claim_too_large_lambda(chapter);
+    claim_bounds(chapter);
     chart_lambda(chapter);
     chart_lambda_map(chapter);
     chart_solvers(chapter);

@@ -97,6 +97,27 @@ inline void chart_lambda_map(course::Chapter& chapter) {
     chart.caption("Lines of equal spectral radius. Above the border nothing converges.");
 }
 
+/// The cube at its best lambda, and a sphere in pieces that see themselves.
+inline void claim_bounds(course::Chapter& chapter) {
+    for (const auto& [rho, best, radius] :
+         {std::tuple{0.5, 1.2499, 0.3751}, {0.9, 1.5622, 0.8438}, {0.99, 1.6553, 0.9834}}) {
+        const auto mu = jacobi_eigenvalues(cube_of_one_colour(rho));
+        chapter.claim(fmt::format("8.5 cube, reflectance {}: best lambda", rho),
+                      {.expected = best, .measured = best_lambda(mu), .tolerance = 5e-5});
+        chapter.claim(
+            fmt::format("8.5 cube, reflectance {}: spectral radius at the best lambda", rho),
+            {.expected = radius, .measured = spectral_radius(mu, best_lambda(mu)), .tolerance = 5e-5});
+    }
+    for (const auto& [pieces, bound] : {std::pair<std::size_t, double>{1, 2.0}, {2, 1.1}, {8, 1.775}}) {
+        const auto sphere = inside_of_a_sphere(std::vector<GreyPatch>(pieces, {0.9, 1}));
+        chapter.claim(
+            fmt::format("8.5 sphere in {} pieces, reflectance 0.9: the largest stable lambda", pieces),
+            {.expected  = bound,
+             .measured  = largest_stable_lambda(jacobi_eigenvalues(sphere)),
+             .tolerance = 1e-9});
+    }
+}
+
 /// Two facing plates, for which all is known by hand.
 inline void claim_two_plates(course::Chapter& chapter) {
     for (const auto& [rho, lambda, radius, steps] : {std::tuple{0.5, 0.5, 0.75, 49},

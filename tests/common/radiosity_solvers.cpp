@@ -164,8 +164,10 @@ TEST_CASE("D18: k steps of Jacobi hold the light of fewer than k bounces") {
 
 TEST_CASE("D17: a closed sphere that is one patch takes one step, for the divisor is its own light") {
     const auto system = inside_of_a_sphere({{0.9, 1, 1}});
-    CHECK(after(RelaxedJacobi(system), 1)[0].r == near(10, 1e-14));
-    CHECK(after(ConjugateGradients(system), 1)[0].r == near(10, 1e-14));
+    for (const auto& found :
+         {after(RelaxedJacobi(system), 1), after(GaussSeidel(system), 1), after(Southwell(system), 1),
+          after(ProgressiveShooting(system), 1), after(ConjugateGradients(system), 1)})
+        CHECK(found[0].r == near(10, 1e-14));
 }
 
 TEST_CASE("all solvers agree on random reciprocal systems") {
