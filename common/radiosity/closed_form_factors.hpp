@@ -14,7 +14,7 @@ namespace sr {
 
 /// Two equal rectangles a x b that face each other directly at the distance c. From 30 sides away it is a series of
 /// the sides' squares, of which four terms are right to 12 digits: Hottel's formula subtracts numbers of the size of
-/// (a/c)^2 to get one of the size of its square, equation (8.11).
+/// (a/c)^2 to get one of the size.
 /// @pre a, b, c > 0; a and b differ by a factor of 1000 at most, or digits are lost in the shorter one
 /// @see Hottel, Radiant Heat Transmission Between Surfaces Separated by Non-Absorbing Media, Trans. ASME 53 (1931)
 [[nodiscard]] inline double opposed_rectangles(double a, double b, double c) {
@@ -43,7 +43,7 @@ namespace sr {
 }
 
 /// From a disk of radius r1 to another of radius r2 on the same axis, parallel, at the distance h: the smaller root of
-/// a quadratic equation, whose product with the larger one is (r2/r1)^2, equation (8.12).
+/// a quadratic equation, whose product with the larger one is (r2/r1)^2.
 /// @pre r1, r2 > 0, h >= 0
 [[nodiscard]] inline double coaxial_disks(double r1, double r2, double h) {
     const double q    = r2 / r1;

@@ -2,6 +2,7 @@
 
 #include "radiosity/exchange_area.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -50,10 +51,11 @@ double refined(const Patch& from, const Patch& to, double fine, double allowed, 
 
 double exchange_area(const Patch& a, const Patch& b, double tolerance) {
     if (!face_each_other(a, b)) return 0;
-    constexpr int most_quarterings = 12;
-    const auto& [from, to]         = a.area() <= b.area() ? std::tie(a, b) : std::tie(b, a);
-    const double fine              = by_rule(from, to, three_points);
-    return refined(from, to, fine, tolerance * fine, most_quarterings);
+    constexpr int    most_quarterings = 8;
+    constexpr double hardly_seen      = 1e-3;  // of its area: no pains are taken over less
+    const auto& [from, to]            = a.area() <= b.area() ? std::tie(a, b) : std::tie(b, a);
+    const double fine                 = by_rule(from, to, three_points);
+    return refined(from, to, fine, tolerance * std::max(fine, hardly_seen * from.area()), most_quarterings);
 }
 
 }  // namespace sr

@@ -1,5 +1,6 @@
 #pragma once
 /// @file visible_share.hpp
+/// What rays between random points of two patches say.
 
 #include "radiosity/patch.hpp"
 #include "radiosity/visibility.hpp"
@@ -8,10 +9,16 @@
 namespace sr {
 
 /// Of the light that would pass between two patches, the share that nothing keeps from it [0, 1]: a quotient of sums
-/// over side^2 pairs of points, one of each patch's side^2 strata in each, which count as (8.5) weighs them. It is 1
+/// over side^2 stratified pairs of points, which count as (8.5) weighs them. It is 1
 /// and 0 exactly where all points or none see each other.
 /// @pre side >= 1, the patches face each other
 [[nodiscard]] double visible_share(const Patch& a, const Patch& b, const Visibility& visibility, int side,
                                    Rng& rng);
+
+/// The form factor F [1] itself from such pairs: the mean of (8.5) over both patches, times the area of the second. Its
+/// mean over repeats is right, and its standard error is theirs; that of one is unbounded where the patches touch.
+/// @pre side >= 1
+[[nodiscard]] double sampled_form_factor(const Patch& from, const Patch& to, const Visibility& visibility,
+                                         int side, Rng& rng);
 
 }  // namespace sr
