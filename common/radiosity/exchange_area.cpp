@@ -10,6 +10,7 @@
 #include <tuple>
 
 #include "math/gauss_legendre.hpp"
+#include "math/square.hpp"
 #include "radiosity/point_form_factors.hpp"
 
 namespace sr {
@@ -38,9 +39,18 @@ constexpr std::array<QuadraturePoint, 2> two_points{{{0.5 - off_2, 0.5}, {0.5 + 
 constexpr std::array<QuadraturePoint, 3> three_points{
     {{0.5 - off_3, 5.0 / 18}, {0.5, 4.0 / 9}, {0.5 + off_3, 5.0 / 18}}};
 
-/// `fine` is what three_points say.
+/// Or a thousandth of the patch, if that is more: no pains are taken over less.
+double at_least(double exchange, const Patch& from) {
+    return std::max(exchange, 1e-3 * from.area());
+}
+
+/// `fine` is what three_points say. Two points may agree with that by chance, and both be wrong; one point, whose error is
+/// about the root of theirs, hardly does at the same time.
 double refined(const Patch& from, const Patch& to, double fine, double allowed, int quarterings) {
-    if (quarterings == 0 || std::abs(fine - by_rule(from, to, two_points)) <= allowed) return fine;
+    const double by_two = std::abs(fine - by_rule(from, to, two_points));
+    const double by_one = std::abs(fine - from_point(from, to, {0.5, 0.5}));
+    if (quarterings == 0 || (by_two <= allowed && square(by_one) <= allowed * at_least(fine, from)))
+        return fine;
     double sum = 0;
     for (const auto& quarter : from.quarters())
         sum += refined(quarter, to, by_rule(quarter, to, three_points), allowed / 2, quarterings - 1);
@@ -51,11 +61,10 @@ double refined(const Patch& from, const Patch& to, double fine, double allowed, 
 
 double exchange_area(const Patch& a, const Patch& b, double tolerance) {
     if (!face_each_other(a, b)) return 0;
-    constexpr int    most_quarterings = 8;
-    constexpr double hardly_seen      = 1e-3;  // of its area: no pains are taken over less
-    const auto& [from, to]            = a.area() <= b.area() ? std::tie(a, b) : std::tie(b, a);
-    const double fine                 = by_rule(from, to, three_points);
-    return refined(from, to, fine, tolerance * std::max(fine, hardly_seen * from.area()), most_quarterings);
+    constexpr int most_quarterings = 8;
+    const auto& [from, to]         = a.area() <= b.area() ? std::tie(a, b) : std::tie(b, a);
+    const double fine              = by_rule(from, to, three_points);
+    return refined(from, to, fine, tolerance * at_least(fine, from), most_quarterings);
 }
 
 }  // namespace sr

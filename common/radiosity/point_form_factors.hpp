@@ -47,6 +47,7 @@ namespace sr {
     if (!(dot(p - to.centre(), to.normal()) > rounding)) return 0;
     const auto                   frame = frame_around(normal);
     std::vector<Vector3<double>> seen;
+    seen.reserve(4);
     for (const auto& corner : to.corners()) seen.push_back(frame.to_local(corner - p));
     return projected_solid_angle(seen).value() / std::numbers::pi;
 }

@@ -13,9 +13,7 @@ public:
 
     /// V(p, q), whether no face lies between two points of patches. (Which of their sides they turn to each other is
     /// the cosines' business.)
-    [[nodiscard]] bool between(const SurfacePoint<double>& p, const SurfacePoint<double>& q) const {
-        return !hierarchy_.occluded(sr::between(p, q), before_the_end<double>);
-    }
+    [[nodiscard]] bool between(const SurfacePoint<double>& p, const SurfacePoint<double>& q) const;
 
 private:
     Hierarchy<double> hierarchy_;

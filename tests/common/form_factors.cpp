@@ -8,22 +8,37 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
+#include <numeric>
 #include <span>
 #include <stdexcept>
 #include <tuple>
 #include <vector>
 
+#include "geometry/sphere.hpp"
+#include "law.hpp"
+#include "math/gauss_legendre.hpp"
+#include "math/square.hpp"
 #include "near.hpp"
+#include "radiometry/projected_solid_angle.hpp"
 #include "radiosity/closed_form_factors.hpp"
+#include "radiosity/closure.hpp"
+#include "radiosity/cosine_rays.hpp"
 #include "radiosity/exchange_area.hpp"
+#include "radiosity/hemicube.hpp"
 #include "radiosity/point_form_factors.hpp"
+#include "radiosity/visible_share.hpp"
+#include "statistics/running.hpp"
 
 using namespace sr;
+using sr::test::check_law;
 using sr::test::near;
 
 namespace {
 
 using Point = Vector3<double>;
+
+constexpr double pi = std::numbers::pi;
 
 /// [0, a] x [0, b] at the height z, its front upwards.
 Patch level(double a, double b, double z = 0) {
@@ -141,4 +156,211 @@ TEST_CASE("from a point of a wall no piece of that wall is seen, however its cor
             CHECK(sum == near(1, 1e-12));
         }
     }
+}
+
+TEST_CASE("C7: disks inscribed in a sphere") {
+    const auto radius = [](double h) { return std::sqrt(0.25 - h * h); };
+    CHECK(coaxial_disks(radius(0.25), radius(0.15), 0.4) == near(0.46666666666666667, 1e-14));
+    CHECK(coaxial_disks(radius(0.25), radius(0.15), 0.1) == near(0.86666666666666667, 1e-14));
+}
+
+TEST_CASE("C8, C10, C13: spheres, from points of what faces them") {
+    // From a disk of radius 1 at the distance h: the mean over its area, 2 int s ds; by reciprocity A_disk / A_sphere as much.
+    const auto to_sphere = [](double aside, double h, double r) {
+        return projected_solid_angle(Sphere<double>{{aside, 0, h}, r}).value() / pi;
+    };
+    for (const auto& [h, expected] :
+         {std::pair{0.5, 0.27639320225002103}, {1.0, 0.14644660940672624}, {2.0, 0.052786404500042061}}) {
+        constexpr double r   = 0.25;
+        double           sum = 0;
+        for (const auto& [s, weight] : gauss_legendre(40, 0, 1)) sum += weight * 2 * s * to_sphere(s, h, r);
+        CHECK(sum / (4 * r * r) == near(expected, 1e-12));
+    }
+    CHECK(to_sphere(0, 2, 1) == near(0.25, 1e-15));
+    double face = 0;
+    for (const auto& [x, wx] : gauss_legendre(40, -0.5, 0.5))
+        for (const auto& [y, wy] : gauss_legendre(40, -0.5, 0.5))
+            face += wx * wy * to_sphere(std::hypot(x, y), 0.5, 0.5);
+    CHECK(face == near(0.52359877559829887, 1e-12));  // C13
+    CHECK(face / (4 * pi * 0.25) == near(0.16666666666666667, 1e-12));
+}
+
+TEST_CASE("C11, C12: on the inside of a sphere, the kernel is 1 / (4 pi R^2) between any two points") {
+    check_law("the kernel is the same", [] {
+        const auto point = [] {
+            const auto z = *rc::gen::inRange(-999, 1000) / 1000.0, turn = *rc::gen::inRange(0, 1000) / 1000.0;
+            const auto r = std::sqrt((1 - z) * (1 + z));
+            return Point{r * std::cos(2 * pi * turn), r * std::sin(2 * pi * turn), z};
+        };
+        const Point p = point(), q = point();
+        RC_PRE(length(p - q) > 1e-3);
+        const double kernel = form_factor_kernel(2.0 * p, -p, 2.0 * q, -q);  // R = 2
+        RC_ASSERT(std::abs(kernel * 16 * pi - 1) <= 1e-9);
+    });
+    // so that a hemisphere is 1/2 of all that any point of it sends, and a cap of 60 degrees 1/4
+    CHECK(2 * pi / (4 * pi) == near(0.5, 1e-15));
+}
+
+TEST_CASE("C14: long rectangles are strips") {
+    constexpr double length = 1e4;  // ends take a share of about 1 / length
+    CHECK(opposed_rectangles(length, 1, 1) == near(0.41421356237309505, 2e-4));
+    CHECK(opposed_rectangles(length, 1, 0.25) == near(0.78077640640441514, 2e-4));
+    CHECK(perpendicular_rectangles(length, 1, 1) == near(0.29289321881345248, 2e-4));
+    CHECK(perpendicular_rectangles(length, 1, 3) == near(0.41886116991581033, 3e-4));
+    CHECK(perpendicular_rectangles(length, 1, 3) != near(0.41886116991581033, 1e-7));
+}
+
+TEST_CASE("C20: squares as points") {
+    for (const auto& [c, error] : {std::pair{1.0, 0.59294408772890194},
+                                   {2.0, 0.16019753021792666},
+                                   {5.0, 0.026476840920680862},
+                                   {10.0, 0.0066545366365307754}})
+        CHECK(point_form_factor(level(1, 1), level(1, 1, c).reversed()) / opposed_rectangles(1, 1, c) - 1 ==
+              near(error, 1e-10));
+}
+
+TEST_CASE("laws of random patches: what one sends to the other comes back, and no more than all") {
+    const auto between = [](double low, double high) {
+        return low + (high - low) * (*rc::gen::resize(100, rc::gen::inRange(0, 1000)) / 1000.0);
+    };
+    const auto triangle = [&](double low, double high) {
+        const double x = between(-0.5, 0.5), y = between(-0.5, 0.5);
+        const auto   corner = [&](double turn) {
+            const double r = between(0.5, 1.5);
+            return Point{x + r * std::cos(2 * pi * turn), y + r * std::sin(2 * pi * turn),
+                         between(low, high)};
+        };
+        const Point a = corner(0), b = corner(1.0 / 3);
+        return Patch{a, b, corner(2.0 / 3)};
+    };
+    const auto facing = [](const Patch& patch, const Point& there) {
+        return dot(patch.normal(), there - patch.centre()) > 0 ? patch : patch.reversed();
+    };
+    const auto sees_all = [](const Patch& patch, const Patch& other) {
+        return std::ranges::all_of(
+            other.corners(), [&](const Point& p) { return dot(patch.normal(), p - patch.centre()) > 0; });
+    };
+    check_law(
+        "reciprocity",
+        [&] {
+            const Patch below = triangle(0, 0.1), above = triangle(0.5, 0.6);
+            const Patch first = facing(below, above.centre()), second = facing(above, below.centre());
+            RC_PRE(sees_all(first, second));
+            RC_PRE(sees_all(second, first));
+            const double tolerance = 1e-3, there = exchange_area(first, second, tolerance);
+            RC_ASSERT(there >= 0);
+            RC_ASSERT(there <= std::min(first.area(), second.area()) * (1 + tolerance));
+            // once the one is summed up and once the other
+            double back = 0, forth = 0;
+            for (const auto& [s, ws] : gauss_legendre(24, 0, 1))
+                for (const auto& [t, wt] : gauss_legendre(24, 0, 1)) {
+                    const double weight = ws * wt * 2 * (1 - t);  // of a triangle, the side t = 1 is a point
+                    back += weight * second.area() *
+                            contour_form_factor(second.at({s, t}), second.normal(), first);
+                    forth +=
+                        weight * first.area() * contour_form_factor(first.at({s, t}), first.normal(), second);
+                }
+            RC_ASSERT(std::abs(back - forth) <= 1e-6);
+            RC_ASSERT(std::abs(back - there) <= tolerance * std::max(there, 1e-3) + 1e-6);
+        },
+        200);
+}
+
+TEST_CASE(
+    "rays, half a cube and random pairs meet the closed forms of a cube; the hemicube the better the more "
+    "pixels") {
+    const Patches    patches = cube(1);
+    const Visibility open{mesh_of(patches).mesh};
+    const double     opposed = 0.19982489569838738, beside = 0.20004377607540315;
+    Running          rays, beside_rays, pairs;
+    const CosineRays sent(patches);
+    for (int repeat = 0; repeat < 64; ++repeat) {
+        Rng        rng{1, repeat, 0, 0};
+        const auto row = sent.row(0, 16, rng);
+        CHECK(std::accumulate(row.begin(), row.end(), 0.0) == near(1, 1e-12));
+        rays.add(row[1]);
+        beside_rays.add(row[2]);
+        pairs.add(sampled_form_factor(patches.shapes[0], patches.shapes[1], open, 16, rng));
+    }
+    CHECK(std::abs(rays.mean() - opposed) <= 5 * rays.standard_error());
+    CHECK(std::abs(beside_rays.mean() - beside) <= 5 * beside_rays.standard_error());
+    CHECK(std::abs(pairs.mean() - opposed) <= 5 * pairs.standard_error());
+    CHECK(std::abs(pairs.mean() - 1.02 * opposed) > 5 * pairs.standard_error());  // they could tell
+    // From the middle of a face: a square of side 1 at the distance 1 fills 0.2394... of its base, by the contour.
+    const double from_middle =
+        contour_form_factor(patches.shapes[0].centre(), patches.shapes[0].normal(), patches.shapes[1]);
+    CHECK(from_middle == near(0.75226 / pi, 1e-4));  // B8, chapter 5: a unit square at the height 1
+    for (const auto& [resolution, error] : {std::pair{16, 0.03}, {64, 0.01}, {256, 2e-3}}) {
+        const auto row = Hemicube(patches, resolution).row(0);
+        CHECK(std::accumulate(row.begin(), row.end(), 0.0) == near(1, 1e-12));
+        CHECK(row[0] == 0);
+        CHECK(row[1] == near(from_middle, error));
+    }
+    CHECK_THROWS_AS((void)Hemicube(patches, 5), std::invalid_argument);
+    CHECK_THROWS_AS((void)Hemicube(patches, 0), std::invalid_argument);
+}
+
+TEST_CASE("what hides a part of a square from another hides as much of the form factor") {
+    const Patch   first = level(1, 1), second = level(1, 1, 1).reversed();
+    const Patch   between{{0.25, 0.25, 0.5}, {0.75, 0.25, 0.5}, {0.75, 0.75, 0.5}, {0.25, 0.75, 0.5}};
+    const Patches patches =
+        cut(std::vector{grey(first), grey(second), grey(between), grey(between.reversed())}, 1);
+    const Visibility visibility{mesh_of(patches).mesh};
+    // lines with the slopes (u, v) that pass [0, 1]^2, the blocker's middle half, and [0, 1]^2, on a fine grid
+    const auto       blocked = [](double u) {
+        return std::max(0.0, std::min({1.0, 1 - u, 0.75 - u / 2}) - std::max({0.0, -u, 0.25 - u / 2}));
+    };
+    double seen = 0;
+    for (const double split : {0.0, 0.5})
+        for (const double other : {0.0, 0.5})
+            for (const auto& [u, wu] : gauss_legendre(24, split, split + 0.5))
+                for (const auto& [v, wv] : gauss_legendre(24, other, other + 0.5))
+                    seen += 4 * wu * wv * ((1 - u) * (1 - v) - blocked(u) * blocked(v)) /
+                            (pi * square(1 + u * u + v * v));
+    CHECK(seen == near(0.099506294598984786, 1e-12));
+    Running pairs, share;
+    for (int repeat = 0; repeat < 64; ++repeat) {
+        Rng rng{2, repeat, 0, 0};
+        pairs.add(sampled_form_factor(first, second, visibility, 16, rng));
+        share.add(opposed_rectangles(1, 1, 1) * visible_share(first, second, visibility, 16, rng));
+    }
+    CHECK(std::abs(pairs.mean() - seen) <= 5 * pairs.standard_error());
+    CHECK(std::abs(share.mean() - seen) <= 5 * share.standard_error());
+    CHECK(share.standard_error() < pairs.standard_error());
+    Rng rng{3, 0, 0, 0};
+    CHECK(visible_share(second, between, visibility, 4, rng) == 1);
+    CHECK(visible_share(first, between.reversed(), visibility, 4, rng) == 1);
+}
+
+TEST_CASE("scaling keeps reciprocity and makes rows add up to 1; normalising them does only the latter") {
+    const Patches    patches = cube(2);
+    const Visibility open{mesh_of(patches).mesh};
+    FormFactorMatrix F = form_factors(patches, open);
+    for (std::size_t i = 0; i < F.size(); ++i)  // off by some per cent, and still reciprocal: areas are equal
+        for (std::size_t j = 0; j < F.size(); ++j) F(i, j) *= 1 + 0.05 * std::sin(double(i * j + i + j));
+    const auto lopsided = [](const FormFactorMatrix& of) {
+        double worst = 0;
+        for (std::size_t i = 0; i < of.size(); ++i)
+            for (std::size_t j = 0; j < i; ++j) worst = std::max(worst, std::abs(of(i, j) - of(j, i)));
+        return worst;
+    };
+    CHECK(lopsided(F) == 0);
+    CHECK(closure_defect(F) > 0.005);
+    CHECK(closure_defect(symmetrically_scaled(F)) <= 1e-12);
+    CHECK(lopsided(symmetrically_scaled(F)) <= 1e-16);
+    CHECK(closure_defect(with_normalised_rows(F)) <= 1e-15);
+    CHECK(lopsided(with_normalised_rows(F)) > 1e-5);
+
+    FormFactorMatrix blind(2);
+    CHECK_THROWS_WITH_AS((void)symmetrically_scaled(blind), doctest::Contains("patch 0 sees nothing"),
+                         std::invalid_argument);
+    CHECK_THROWS_WITH_AS((void)with_normalised_rows(blind), doctest::Contains("patch 0 sees nothing"),
+                         std::invalid_argument);
+    FormFactorMatrix star(3);  // two patches that see only the third, which has no room for both
+    star(0, 2) = star(2, 0) = star(1, 2) = star(2, 1) = 0.5;
+    CHECK_THROWS_WITH_AS((void)symmetrically_scaled(star), doctest::Contains("is the scene closed"),
+                         std::runtime_error);
+    blind(0, 1) = std::nan("");
+    CHECK_THROWS_AS((void)symmetrically_scaled(blind), std::invalid_argument);
+    CHECK(!(closure_defect(blind) <= 1));
 }
