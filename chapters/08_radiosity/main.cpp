@@ -3,15 +3,20 @@
 
 #include "bounces_chart.hpp"
 #include "bright_rooms.hpp"
+#include "closure_chart.hpp"
 #include "convergence_chart.hpp"
 #include "cornell_views.hpp"
 #include "course/chapter.hpp"
+#include "factor_charts.hpp"
+#include "factor_claims.hpp"
+#include "form_factor_diagrams.hpp"
 #include "light_leaks.hpp"
 #include "matrix_picture.hpp"
 #include "own_scene.hpp"
 #include "relaxation_charts.hpp"
 #include "solvers_chart.hpp"
 #include "surfaces_diagram.hpp"
+#include "touching_patches.hpp"
 #include "two_sums.hpp"
 
 namespace sr {
@@ -39,11 +44,24 @@ void radiosity_equation(course::Chapter& chapter) {
 /// 8.2  Which share of one patch's light arrives at another?
 void form_factors(course::Chapter& chapter) {
     chapter.section("8.2 Form factors");
+    auto two = chapter.diagram("form_factor", "Two patches");
+    draw_form_factor(two);
+    two.caption("What passes between two small areas: both cosines, over the square of the distance.");
+    auto nusselt = chapter.diagram("nusselt", "A form factor, seen from a point");
+    draw_nusselt(nusselt);
+    nusselt.caption("Nusselt: onto the sphere, then straight down. The cosine is the shadow's.");
+    claim_form_factors(chapter);
 }
 
 /// 8.3  How is it computed, and how wrong is that?
 void computing_form_factors(course::Chapter& chapter) {
     chapter.section("8.3 Computing form factors");
+    chart_near(chapter);
+    chart_touching(chapter);
+    auto hemicube = chapter.diagram("hemicube", "Half a cube");
+    draw_hemicube(hemicube);
+    hemicube.caption("What is seen through a pixel counts by what the pixel is worth.");
+    claim_factor_races(chapter, chart_form_factors(chapter));
 }
 
 /// 8.4  Which equations do they make, and what if their rows don't add up to 1?
@@ -52,6 +70,8 @@ void linear_system(course::Chapter& chapter) {
     claim_known_systems(chapter);
     claim_terms(chapter);
     chart_bounces(chapter);
+    chart_closure(chapter);
+    compare_closures(chapter);
 }
 
 /// 8.5  How is it solved, and how fast?

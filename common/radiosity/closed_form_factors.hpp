@@ -46,8 +46,9 @@ namespace sr {
 /// a quadratic equation, whose product with the larger one is (r2/r1)^2.
 /// @pre r1, r2 > 0, h >= 0
 [[nodiscard]] inline double coaxial_disks(double r1, double r2, double h) {
-    const double q    = r2 / r1;
-    const double less = (square(h) + square(r1 - r2)) / square(r1);  // X - 2 q, without cancellation
+    const double q = r2 / r1;
+    // X - 2 q, without cancellation
+    const double less = (square(h) + square(r1 - r2)) / square(r1);
     const double X    = less + 2 * q;
     return 2 * square(q) / (X + std::sqrt(less * (X + 2 * q)));
 }

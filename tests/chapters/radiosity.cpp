@@ -11,6 +11,16 @@ TEST_CASE("chapter 8: claims and text agree, figures have their data, renders do
     const ChapterRuns runs("08_radiosity", "--size 64");
     runs.check_claims({});
 
+    for (const std::string pair : {"form_factors", "form_factors_opposed", "form_factors_touching",
+                                   "form_factors_distant", "form_factors_occluded"}) {
+        for (const auto& row : runs.check_chart(pair, speed_accuracy_columns, 33).rows)
+            CHECK(row[3].number() > 0);
+    }
+    runs.check_chart("touching", {"series", "pieces along a side of each square"}, 3 * 6);
+    runs.check_chart("near_patches", {"series", "distance [sides]"}, 3 * 31);
+    runs.check_chart("closure", {"series"}, 3 * 31);
+    for (const std::string drawing : {"form_factor", "nusselt", "hemicube"})
+        runs.check_chart(drawing, {"shape"}, 15);
     runs.check_chart("bounces", {"series"}, 4 * 10);
     runs.check_chart("lambda", {"series"}, 3 * (18 + 179));
     runs.check_chart("lambda_map", {"series"}, 2 * 100);
