@@ -1,8 +1,10 @@
 #pragma once
 /// @file surfaces_diagram.hpp
 
-#include "../05_light/drawing.hpp"
+#include <cmath>
+
 #include "course/chapter.hpp"
+#include "drawing.hpp"
 
 namespace sr {
 
@@ -10,7 +12,8 @@ namespace sr {
 inline void draw_directions(course::Diagram diagram, Point p, double omega, Point left, Point right) {
     diagram.polygon({p, left, right}, {Ink::vermilion, Weight::thin}, 0.2);
     diagram.arrow(p, p + Point{0, 2.6}, {Ink::blue});
-    draw_angle(diagram, p, 1.5, omega, 90, "$\\theta$", 1.25);
+    diagram.line(arc(p, 1.5, omega, 90), {Ink::black, Weight::thin});
+    diagram.label(p + 1.9 * towards((omega + 90) / 2), "$\\theta$", Anchor::centre);
     diagram.label(p + Point{0, 2.95}, "$\\mathbf{n}_p$", Anchor::centre, Ink::blue);
     diagram.label(p + Point{0, -0.55}, "$p$", Anchor::centre);
 }
@@ -49,7 +52,7 @@ inline void draw_surfaces(course::Diagram diagram) {
     diagram.line(arc(p, 3.6, 0, 180), {Ink::grey});
     draw_directions(diagram, p, 47.6, 3.6 * towards(52.8), 3.6 * towards(42.4));
     diagram.line(arc(p, 3.6, 42.4, 52.8), {Ink::vermilion, Weight::thick});
-    draw_surface(diagram, p, 3.9, 0, Ink::blue);
+    diagram.line(p - Point{3.9, 0}, p + Point{3.9, 0}, {Ink::grey, Weight::thick});
     diagram.point(p);
     diagram.label(3.6 * towards(47.6) + Point{0.35, 0.35}, "$d\\omega$", Anchor::left, Ink::vermilion);
     diagram.label({0, -1.5}, "all directions $\\omega$", Anchor::centre);
