@@ -22,10 +22,12 @@ namespace sr {
     return cut(std::vector<Polygon>{{patch, {}, {}, 0}}, patch.longest_side() / n).shapes;
 }
 
+/// What two pieces are replaced by: point_form_factor, or disk_form_factor.
+using PieceFactor = double (*)(const Patch& from, const Patch& to);
+
 /// Both patches cut into n x n, and the pieces' form factors summed up. A ray says whether a pair counts.
-template <class Factor>
-[[nodiscard]] double summed_over_pieces(const Patch& from, const Patch& to, int n, const Factor& factor,
-                                        const Visibility* visibility = nullptr) {
+[[nodiscard]] inline double summed_over_pieces(const Patch& from, const Patch& to, int n, PieceFactor factor,
+                                               const Visibility* visibility = nullptr) {
     const auto these = pieces_of(from, n), those = pieces_of(to, n);
     double     sum = 0;
     for (const Patch& a : these)
@@ -60,7 +62,7 @@ struct FactorMethod {
     const bool        occluded = pair.patches.size() > 2;
     const Visibility* asked    = occluded ? &visibility : nullptr;
     const auto        side     = [](double effort) { return int(std::lround(std::sqrt(effort))); };
-    const auto        pieces   = [&pair, asked, side](const auto& factor) {
+    const auto        pieces   = [&pair, asked, side](PieceFactor factor) {
         return [&pair, asked, side, factor](double effort, Rng&) {
             return summed_over_pieces(pair.from(), pair.to(), side(std::sqrt(effort)), factor, asked);
         };
