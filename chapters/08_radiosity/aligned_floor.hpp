@@ -12,19 +12,36 @@ namespace sr {
 
 using FloorQuad = std::array<Vector3<double>, 4>;
 
-/// What is left of a quadrilateral around one in it: four more, each between two sides. Both run the same way round, and
-/// begin at corners that are near each other.
+/// Whether the corner p, after o and before q, is not turned inwards, as seen from above.
+[[nodiscard]] inline bool turns_outwards(const Vector3<double>& o, const Vector3<double>& p,
+                                         const Vector3<double>& q) {
+    return cross(p - o, q - p).y >= 0;
+}
+
+/// What is left of a quadrilateral around one in it: four more, each between two sides, or two triangles where a corner of
+/// the inner one would be turned inwards. Both run the same way round, and begin at corners that are near each other.
 inline void cut_around(const FloorQuad& outer, const FloorQuad& inner, const Polygon& floor,
                        std::vector<Polygon>& pieces) {
+    const auto add = [&](const Patch& shape) {
+        pieces.push_back(floor);
+        pieces.back().shape = shape;
+    };
     for (std::size_t i = 0; i < 4; ++i) {
-        const std::size_t j     = (i + 1) % 4;
-        Polygon           piece = floor;
-        piece.shape             = Patch{outer[i], outer[j], inner[j], inner[i]};
-        pieces.push_back(piece);
+        const std::size_t     j = (i + 1) % 4;
+        const Vector3<double> a = outer[i], b = outer[j], c = inner[j], d = inner[i];
+        if (!turns_outwards(b, c, d)) {
+            add({a, b, c});
+            add({a, c, d});
+        } else if (!turns_outwards(c, d, a)) {
+            add({a, b, d});
+            add({b, c, d});
+        } else {
+            add({a, b, c, d});
+        }
     }
 }
 
-/// The box's polygons; in place of the floor (the first) eight pieces, four around each block, and nothing below blocks.
+/// The box's polygons; in place of the floor (the first) pieces around each block, and nothing below blocks.
 [[nodiscard]] inline std::vector<Polygon> polygons_with_aligned_floor() {
     const auto           published = polygons_of(cornell_box());
     const Polygon&       floor     = published.front();

@@ -124,7 +124,7 @@ inline void show_matrix(course::Chapter& chapter, const SolvedScene& box, const 
                   {25, 100 * shares[7][4], 0.5});
     chapter.claim("8.7 of the red wall's light, there goes to the tall block [%]",
                   {20, 100 * shares[4][7], 0.5});
-    chapter.claim("8.7 of the floor's light, there leaves the box [%]", {16, 100 * shares[0][8], 0.5});
+    chapter.claim("8.7 of the floor's light, there leaves the box [%]", {15, 100 * shares[0][8], 0.5});
 }
 
 }  // namespace sr
