@@ -332,6 +332,25 @@ TEST_CASE("what hides a part of a square from another hides as much of the form 
     CHECK(visible_share(first, between.reversed(), visibility, 4, rng) == 1);
 }
 
+TEST_CASE("C15: long strips with a strip between them") {
+    constexpr double half  = 100;  // of their length: what leaves by the ends is about 2 / 200 of the light
+    const auto       strip = [](double width, double z) {
+        return Patch{{-width, -half, z}, {width, -half, z}, {width, half, z}, {-width, half, z}};
+    };
+    const Patch      first = strip(1, 0), second = strip(1, 2).reversed(), between = strip(0.5, 1);
+    const Patches    patches = cut(std::vector{grey(first), grey(second), grey(between)}, 200);
+    const Visibility visibility{mesh_of(patches).mesh};
+    const double     open = exchange_area(first, second, 1e-5) / first.area();
+    CHECK(open == near(0.41421356237309505, 0.01));
+    Running seen;
+    for (int repeat = 0; repeat < 64; ++repeat) {
+        Rng rng{4, repeat, 0, 0};
+        seen.add(open * visible_share(first, second, visibility, 32, rng));
+    }
+    CHECK(std::abs(seen.mean() - 0.11803398874989485) <= 5 * seen.standard_error() + 0.01 * 0.118);
+    CHECK(seen.standard_error() < 0.01);
+}
+
 TEST_CASE("scaling keeps reciprocity and makes rows add up to 1; normalising them does only the latter") {
     const Patches    patches = cube(2);
     const Visibility open{mesh_of(patches).mesh};
