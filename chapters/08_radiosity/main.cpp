@@ -1,6 +1,10 @@
 /// @file main.cpp
 /// Chapter 8, radiosity: diffuse surfaces cut into patches, and the light that they send each other as a linear system.
 
+#include <fmt/format.h>
+
+#include <vector>
+
 #include "bounces_chart.hpp"
 #include "bright_rooms.hpp"
 #include "closure_chart.hpp"
@@ -10,10 +14,14 @@
 #include "factor_charts.hpp"
 #include "factor_claims.hpp"
 #include "form_factor_diagrams.hpp"
+#include "hierarchical_claims.hpp"
 #include "light_leaks.hpp"
+#include "link_diagram.hpp"
 #include "matrix_picture.hpp"
+#include "mesh_strip.hpp"
 #include "own_scene.hpp"
 #include "relaxation_charts.hpp"
+#include "scaling_chart.hpp"
 #include "solvers_chart.hpp"
 #include "surfaces_diagram.hpp"
 #include "touching_patches.hpp"
@@ -120,6 +128,23 @@ void cornell_box_views(course::Chapter& chapter, const std::optional<OwnScene>& 
 /// 8.8  Must every patch know every other?
 void hierarchical(course::Chapter& chapter) {
     chapter.section("8.8 Hierarchical radiosity");
+    auto links = chapter.diagram("links", "Which patches exchange light, and at which size");
+    draw_link_levels(links);
+    links.caption("What lies near each other is cut finely, and what is far away is left large.");
+
+    const CornellMeshes               box;
+    const int                         threads = chapter.options().threads;
+    std::vector<HierarchicalSolution> solutions;
+    for (const double bound : {0.04, 0.01, 0.0025}) solutions.push_back(box.solution(bound, threads));
+    for (std::size_t i = 0; i < solutions.size(); ++i)
+        chapter.render(fmt::format("mesh_{}", i + 1), "Leaves where they are needed",
+                       fmt::format("The {} leaves of a solution.", solutions[i].trees.leaf_count()),
+                       picture_of_mesh(solutions[i], chapter.options().size, threads));
+    const auto finer = box.solution(0.001, threads);
+    claim_refinement(chapter, box, solutions, box.gathered(finer, threads));
+    claim_means(chapter, box, solutions.back(), finer);
+    claim_walks(chapter, box, finer);
+    chart_scaling(chapter, box, finer);
 }
 
 /// 8.9  What can't it do?

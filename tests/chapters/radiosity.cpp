@@ -37,5 +37,11 @@ TEST_CASE("chapter 8: claims and text agree, figures have their data, renders do
         CHECK(row[3].number() > 0);
     runs.check_chart("leaks", {"series", "$x$ [mm]"}, 4 * 92);
     runs.check_chart("parts", {"shape"}, 8 * 9);
-    runs.check_renders(12);
+    runs.check_chart("links", {"shape"}, 100);
+    for (const std::string chart : {"scaling", "error_against_time"}) {
+        for (const auto& row :
+             runs.check_chart(chart, {"method", "n", "seconds", "mebibytes", "error"}, 2 * 3).rows)
+            CHECK(row[2].number() > 0);
+    }
+    runs.check_renders(15);
 }

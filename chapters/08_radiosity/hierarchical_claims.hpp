@@ -1,0 +1,90 @@
+#pragma once
+/// @file hierarchical_claims.hpp
+/// What is said of hierarchical solutions, measured.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "cornell_meshes.hpp"
+#include "course/chapter.hpp"
+#include "random_walk.hpp"
+
+namespace sr {
+
+/// Leaves, links and errors as the bound gets tighter.
+inline void claim_refinement(course::Chapter& chapter, const CornellMeshes& box,
+                             const std::vector<HierarchicalSolution>& solutions,
+                             const Radiosities&                       reference) {
+    struct Row {
+        double leaves, links, error;
+    };
+    const std::vector<Row>         expected{{152, 1130, 0.193}, {656, 8200, 0.110}, {3557, 57400, 0.058}};
+    const std::vector<const char*> bounds{"0.04", "0.01", "0.0025"};
+    const auto claim = [&](const std::string& what, double value, double measured, double tolerance) {
+        chapter.claim("8.8 " + what, {.expected = value, .measured = measured, .tolerance = tolerance});
+    };
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+        const auto& solution = solutions[i];
+        claim(fmt::format("leaves, bound {}", bounds[i]), expected[i].leaves,
+              double(solution.trees.leaf_count()), 0.5);
+        claim(fmt::format("links, bound {}", bounds[i]), expected[i].links, double(solution.links.size()),
+              0.5);
+        claim(fmt::format("relative RMS error, bound {}", bounds[i]), expected[i].error,
+              relative_rms(box.of_leaves(solution), reference), 0.0005);
+    }
+    const int  threads  = chapter.options().threads;
+    const auto gathered = box.gathered(solutions.back(), threads);
+    claim("relative RMS error, bound 0.0025, gathered", 0.012, relative_rms(gathered, reference), 0.0005);
+    const auto by_power = box.solution(6.25e-5, threads, LinkOracle::power);
+    claim("links by power", 36700, double(by_power.links.size()), 50);
+    claim("relative RMS error by power", 0.096, relative_rms(box.of_leaves(by_power), reference), 0.0005);
+}
+
+/// The radiosities of whole walls against a finer solution: root mean square, by area, and the worst.
+inline void claim_means(course::Chapter& chapter, const CornellMeshes& box,
+                        const HierarchicalSolution& solution, const HierarchicalSolution& finer) {
+    const auto squared = [](DoubleSpectrum s) { return s.r * s.r + s.g * s.g + s.b * s.b; };
+    double     error = 0, size = 0, worst = 0;
+    for (std::size_t i = 0; i < box.polygons.size(); ++i) {
+        const double area      = box.polygons[i].shape.area();
+        const double wrong     = squared(solution.radiosities[i] - finer.radiosities[i]);
+        const double reflected = squared(finer.radiosities[i] - box.polygons[i].emission);
+        error += area * wrong;
+        size += area * reflected;
+        worst = std::max(worst, std::sqrt(wrong / reflected));
+    }
+    chapter.claim("8.8 relative RMS error of whole walls, bound 0.0025",
+                  {.expected = 0.004, .measured = std::sqrt(error / size), .tolerance = 0.0005});
+    chapter.claim("8.8 the worst wall, bound 0.0025",
+                  {.expected = 0.024, .measured = worst, .tolerance = 0.0005});
+}
+
+/// Random walks from three points against what is gathered there: the largest difference in standard errors.
+inline void claim_walks(course::Chapter& chapter, const CornellMeshes& box,
+                        const HierarchicalSolution& finer) {
+    const Patches   whole = cut(box.polygons, 1e4);
+    const PatchView view(whole);
+    const int       walks = course::ByQuality{.draft = 1 << 16, .lecture = 1 << 19, .print = 1 << 19}.at(
+              chapter.options().quality);
+    std::vector<SurfaceSample> points;
+    for (const std::size_t i : {400, 2000, 2800}) points.push_back(box.samples[i]);
+    const auto   gathered = gathered_at(points, finer, box.visibility, 2, chapter.options().threads);
+    course::Rows rows{{"point", "gathered B - E, green", "walked", "standard error"}};
+    double       farthest = 0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const auto&   p     = points[i];
+        const double  rho   = box.polygons[p.polygon].reflectance.g;
+        const Running walk  = mean_walk(p, view, whole, walks, chapter.options().threads);
+        const double  error = rho * walk.standard_error();
+        farthest            = std::max(farthest, std::abs(gathered[i].g - rho * walk.mean()) / error);
+        rows.add({fmt::format("({:.0f}, {:.0f}, {:.0f})", p.position.x, p.position.y, p.position.z),
+                  gathered[i].g, rho * walk.mean(), error});
+    }
+    chapter.say(rows);
+    chapter.claim_at_most("8.8 gathered and walked, farthest apart [standard errors]", farthest, 4);
+}
+
+}  // namespace sr
