@@ -13,10 +13,13 @@
 #include "course/chapter.hpp"
 #include "factor_charts.hpp"
 #include "factor_claims.hpp"
+#include "fence_chart.hpp"
 #include "form_factor_diagrams.hpp"
 #include "hierarchical_claims.hpp"
 #include "light_leaks.hpp"
+#include "limit_charts.hpp"
 #include "link_diagram.hpp"
+#include "lost_light.hpp"
 #include "matrix_picture.hpp"
 #include "mesh_strip.hpp"
 #include "own_scene.hpp"
@@ -150,6 +153,11 @@ void hierarchical(course::Chapter& chapter) {
 /// 8.9  What can't it do?
 void failures(course::Chapter& chapter) {
     chapter.section("8.9 Where it fails");
+    chart_above_one(chapter);
+    show_lost_light(chapter);
+    chart_slivers(chapter);
+    chart_sees_itself(chapter);
+    chart_fence(chapter);
 }
 
 }  // namespace

@@ -116,7 +116,7 @@ inline void show_matrix(course::Chapter& chapter, const SolvedScene& box, const 
         fmt::format("A row and a column for each of {} patches; lines between walls, lamp and blocks.",
                     box.patches.size()),
         matrix_picture(box));
-    auto diagram = chapter.diagram("parts", "From where to where light goes [\\%]");
+    auto diagram = chapter.diagram("parts", "From where to where light goes [%]");
     draw_parts(diagram, aligned);
     diagram.caption("Of the light leaving a row's surface, the share that arrives at the column's.");
     const auto shares = shares_between_parts(aligned);

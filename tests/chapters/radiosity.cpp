@@ -43,5 +43,10 @@ TEST_CASE("chapter 8: claims and text agree, figures have their data, renders do
              runs.check_chart(chart, {"method", "n", "seconds", "mebibytes", "error"}, 2 * 3).rows)
             CHECK(row[2].number() > 0);
     }
-    runs.check_renders(15);
+    runs.check_chart("above_one", {"series", "reflectance"}, 37 + 25);
+    runs.check_chart("lost_light", {"shape"}, 9);
+    runs.check_chart("slivers", {"series"}, 2 * 27);
+    runs.check_chart("sees_itself", {"series"}, 2 * 39);
+    runs.check_chart("fence", {"series"}, 2 * 12);
+    runs.check_renders(17);
 }
