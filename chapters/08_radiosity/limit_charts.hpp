@@ -46,8 +46,8 @@ inline void chart_above_one(course::Chapter& chapter) {
     }
     chart.mark_x(1, "no solution");
     chart.caption("Beyond 1 there is more light after each bounce, and what solves the equations is none.");
-    chapter.claim("8.9 what solves the equations for a reflectance of 1.1 [W/m2]",
-                  {-10, direct_solution(cube_that_shines(1.1))[0].r, 1e-9});
+    chapter.claim("8.9 what solves the equations for a reflectance of 1.1, below zero [W/m2]",
+                  {10, -direct_solution(cube_that_shines(1.1))[0].r, 1e-9});
     chapter.claim("8.9 light after ten bounces at 1.1 [W/m2]", {18.5, after_bounces(1.1, 10), 0.05});
 }
 
