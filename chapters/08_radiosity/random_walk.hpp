@@ -9,6 +9,7 @@
 #include "radiosity/patch_view.hpp"
 #include "radiosity/surface_samples.hpp"
 #include "sampling/hemisphere.hpp"
+#include "sampling/rng.hpp"
 #include "statistics/running.hpp"
 
 namespace sr {

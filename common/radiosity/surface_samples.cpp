@@ -12,6 +12,7 @@
 #include "radiosity/patch_view.hpp"
 #include "radiosity/point_form_factors.hpp"
 #include "radiosity/rows.hpp"
+#include "radiosity/visible_share.hpp"
 #include "sampling/rng.hpp"
 
 namespace sr {
@@ -52,18 +53,6 @@ LinksByReceiver by_receiver(const HierarchicalSolution& solution) {
     for (const auto& link : result.all) ++result.first[link.receiver + 1];
     for (std::size_t i = 1; i < result.first.size(); ++i) result.first[i] += result.first[i - 1];
     return result;
-}
-
-/// The share of a patch that a point sees.
-double visible_part(const SurfacePoint<double>& from, const Patch& patch, const Visibility& visibility,
-                    int strata, Rng& rng) {
-    int seen = 0;
-    for (int k = 0; k < strata * strata; ++k) {
-        const double x = rng.uniform<double>(), y = rng.uniform<double>();
-        const Point  to = patch.sample({(k % strata + x) / strata, (k / strata + y) / strata});
-        if (visibility.between(from, patch.surface_point(to))) ++seen;
-    }
-    return seen / double(strata * strata);
 }
 
 }  // namespace
@@ -117,8 +106,9 @@ Radiosities gathered_at(std::span<const SurfaceSample> samples, const Hierarchic
                 Rng                 rng{1, std::int64_t(i), source, 0};
                 const double        factor = contour_form_factor(position, normal, to);
                 if (!(factor > 0)) continue;
-                const double visible = visible_part(from, to, visibility, is_lamp ? 4 * strata : strata, rng);
-                irradiance           = irradiance + factor * visible * solution.radiosities[source];
+                const double visible =
+                    visible_share(from, to, visibility, is_lamp ? 4 * strata : strata, rng);
+                irradiance = irradiance + factor * visible * solution.radiosities[source];
             }
             if (trees[node].is_leaf()) break;
         }

@@ -17,6 +17,19 @@ double visible_share(const Patch& a, const Patch& b, const Visibility& visibilit
     return all > 0 ? seen / all : 1;
 }
 
+double visible_share(const SurfacePoint<double>& from, const Patch& to, const Visibility& visibility,
+                     int side, Rng& rng) {
+    double all = 0, seen = 0;
+    for (int k = 0; k < side * side; ++k) {
+        const double x = rng.uniform<double>(), y = rng.uniform<double>();
+        const auto   q      = to.sample({(k % side + x) / side, (k / side + y) / side});
+        const double weight = form_factor_kernel(from.position, from.normal, q, to.normal());
+        all += weight;
+        if (weight > 0 && visibility.between(from, to.surface_point(q))) seen += weight;
+    }
+    return all > 0 ? seen / all : 1;
+}
+
 double sampled_form_factor(const Patch& from, const Patch& to, const Visibility& visibility, int side,
                            Rng& rng) {
     double sum = 0;

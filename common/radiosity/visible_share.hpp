@@ -9,11 +9,17 @@
 namespace sr {
 
 /// Of the light that would pass between two patches, the share that nothing keeps from it [0, 1]: a quotient of sums
-/// over side^2 stratified pairs of points, which count as (8.5) weighs them. It is 1
-/// and 0 exactly where all points or none see each other.
+/// over side^2 stratified pairs of points, which count as (8.5) weighs them. It is 1 and 0 exactly where all points or
+/// none see each other.
 /// @pre side >= 1, the patches face each other
 [[nodiscard]] double visible_share(const Patch& a, const Patch& b, const Visibility& visibility, int side,
                                    Rng& rng);
+
+/// The same from one point, by a ray into each of the patch's side^2 strata. What is behind the point's own surface has
+/// weight 0: it is no part of the form factor that is shared out, and must not count as hidden.
+/// @pre side >= 1
+[[nodiscard]] double visible_share(const SurfacePoint<double>& from, const Patch& to,
+                                   const Visibility& visibility, int side, Rng& rng);
 
 /// The form factor F [1] itself from such pairs: the mean of (8.5) over both patches, times the area of the second. Its
 /// mean over repeats is right, and its standard error is theirs; that of one is unbounded where the patches touch.

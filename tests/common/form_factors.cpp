@@ -332,6 +332,31 @@ TEST_CASE("what hides a part of a square from another hides as much of the form 
     CHECK(visible_share(first, between.reversed(), visibility, 4, rng) == 1);
 }
 
+TEST_CASE("what a point's own horizon cuts off is not hidden, and what is hidden counts as it would shine") {
+    const Vector3<double> n{1, 0, 0};
+    const Patch           wall{{0, -1, 0}, {0, 1, 0}, {0, 1, 0.8}, {0, -1, 0.8}};
+    const Patch           lamp{{-1, -0.5, 1}, {-1, 0.5, 1}, {1, 0.5, 1}, {1, -0.5, 1}};
+    const auto            from = wall.surface_point({0, 0, 0.5});
+    const auto roof = [](double from_x, double to_x) {  // halfway up to the lamp, over the y of all rays
+        return Visibility{
+            Mesh<double>{{{from_x, -2, 0.75}, {to_x, -2, 0.75}, {to_x, 2, 0.75}, {from_x, 2, 0.75}},
+                         {{0, 1, 2}, {0, 2, 3}}}};
+    };
+    Rng rng{12, 0, 0, 0};
+    CHECK(visible_share(from, lamp, roof(-2, 0), 8, rng) == 1);  // below what is behind the wall
+    CHECK(visible_share(from, lamp, roof(-2, 1), 8, rng) == 0);
+
+    // A roof over 0 < x < 1/4 hides the lamp's 0 < x < 1/2.
+    const Patch  rest{{0.5, -0.5, 1}, {0.5, 0.5, 1}, {1, 0.5, 1}, {1, -0.5, 1}};
+    const double expected =
+        contour_form_factor(from.position, n, rest) / contour_form_factor(from.position, n, lamp);
+    Running share;
+    for (int repeat = 0; repeat < 64; ++repeat) share.add(visible_share(from, lamp, roof(-2, 0.25), 16, rng));
+    CHECK(std::abs(share.mean() - expected) <= 5 * share.standard_error());
+    CHECK(share.standard_error() <= 2e-3);
+    CHECK(std::abs(0.5 - expected) > 0.05);  // of the area that is before the wall, half is hidden
+}
+
 TEST_CASE("C15: long strips with a strip between them") {
     constexpr double half  = 100;  // of their length: what leaves by the ends is about 2 / 200 of the light
     const auto       strip = [](double width, double z) {
