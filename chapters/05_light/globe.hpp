@@ -28,7 +28,8 @@ namespace sr {
     for_each_pixel(size, size, {.threads = threads}, [&](int x, int y) {
         Spectrum sum;
         for (int i = 0; i < side * side; ++i) {
-            const auto ray = camera.ray({x + (i % side + 0.5) / side, y + (i / side + 0.5) / side});
+            const int  column = i % side, row = i / side;
+            const auto ray = camera.ray({x + (column + 0.5) / side, y + (row + 0.5) / side});
             const auto t   = intersect(sphere, ray);
             sum = sum + (t ? globe_radiance(ray.at(*t) - sphere.centre) : Spectrum{0.02F, 0.02F, 0.03F});
         }

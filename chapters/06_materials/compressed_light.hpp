@@ -39,7 +39,7 @@ struct CountedRadiance {
         }
     });
     CountedRadiance result;
-    const double    n = double(photons / block) * block;
+    const int       n = photons / block * block;
     for (int band = 0; band < bands; ++band) {
         double count = 0;
         for (const auto& of_block : counts) count += of_block[std::size_t(band)];

@@ -58,8 +58,9 @@ inline void render_furnace(course::Chapter& chapter) {
     for_each_pixel(film.width(), height, {.threads = chapter.options().threads}, [&](int x, int y) {
         double sum = 0;
         for (int part = 0; part < side * side; ++part) {
-            const double u       = 2.3 * ((x % height + (part % side + 0.5) / side) / height - 0.5);
-            const double v       = 2.3 * ((y + (part / side + 0.5) / side) / height - 0.5);
+            const int    column = part % side, line = part / side;
+            const double u       = 2.3 * ((x % height + (column + 0.5) / side) / height - 0.5);
+            const double v       = 2.3 * ((y + (line + 0.5) / side) / height - 0.5);
             const double squared = u * u + v * v;
             sum += squared < 1 ? row[std::size_t(x / height)](std::sqrt(1 - squared)) : 1;
         }

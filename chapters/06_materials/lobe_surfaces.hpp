@@ -107,7 +107,8 @@ inline void portray(course::Chapter& chapter, course::Progress& progress, const 
     Image<Spectrum> film(size, portrait_height(size));
     for_each_pixel(film.width(), film.height(), {.threads = options.threads}, [&](int x, int y) {
         for (int part = 0; part < side * side; ++part) {
-            const Vec2 at{float(part % side), float(part / side)};
+            const int  column = part % side, row = part / side;
+            const Vec2 at{float(column), float(row)};
             film(x, y) =
                 film(x, y) + 1 / float(side * side) *
                                  seen(camera.ray(Vec2(float(x), float(y)) + (at + 0.5F) / float(side)));

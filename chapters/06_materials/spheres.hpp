@@ -69,8 +69,8 @@ public:
 
 private:
     void add(std::vector<WeightedLobe<float>> lobes) {
-        const auto column = float(spheres_.size() % 3), row = float(spheres_.size() / 3);
-        spheres_.push_back({{2.7F * (column - 1), -3.4F * row, above_floor}, 1});
+        const std::size_t column = spheres_.size() % 3, row = spheres_.size() / 3;
+        spheres_.push_back({{2.7F * (float(column) - 1), -3.4F * float(row), above_floor}, 1});
         materials_.emplace_back(std::move(lobes));
     }
 
@@ -129,7 +129,8 @@ private:
     Spectrum  sum;
     for (int sample = 0; sample < sampling.samples; ++sample) {
         Rng        rng{sampling.seed, 0, 0, sample};
-        const Vec2 cell{float(sample % side), float(sample / side)};
+        const int  column = sample % side, row = sample / side;
+        const Vec2 cell{float(column), float(row)};
         Ray<float> ray   = camera.ray(Vec2(float(x), float(y)) + (cell + 0.5F) / float(side));
         ray.direction    = normalize(ray.direction);
         const Spectrum L = radiance(spheres, sky, ray, spread_point(sample), rng);

@@ -31,7 +31,7 @@ constexpr double significance = 1e-3;
 template <class Draw>
 double p_of_uniform(const Draw& draw) {
     constexpr int              cells = 16, draws = 100'000;
-    std::vector<std::uint64_t> counts(cells * cells);
+    std::vector<std::uint64_t> counts(std::size_t{cells} * cells);
     Rng                        rng{11, 0, 0, 0};
     for (int i = 0; i < draws; ++i) {
         const Vector2<double> u = draw(rng);

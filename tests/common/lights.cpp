@@ -91,7 +91,7 @@ TEST_CASE("scene: a face must have vertices that there are, each at a place, als
     CHECK_THROWS_WITH(check_scene(scene), "face 4 has material 9, of which there are 4; must be less");
     scene.material_of_face[4] = 0;
     for (const double far : {1e300, -1e39, HUGE_VAL, std::nan("")}) {
-        scene.mesh.vertices.push_back({0, 0, far});
+        scene.mesh.vertices.emplace_back(0, 0, far);
         CHECK_NOTHROW(check_scene(scene));  // no face has it
         scene.mesh.faces[5] = {0, std::uint32_t(scene.mesh.vertices.size() - 1), 1};
         CHECK_THROWS_WITH(
