@@ -26,8 +26,8 @@ namespace sr {
     return first;
 }
 
-/// Row i, column j: black where F_ij is 0, white where it is 0.1 or more, and a fifth darker for each factor of 10 less. Lines
-/// between the parts.
+/// Row i, column j: black where F_ij is 0, white where it is 0.1 or more, and a fifth darker for each factor of 10 less,
+/// in 20 steps: more are not told apart, and fill files. Lines between the parts.
 [[nodiscard]] inline Image<Spectrum> matrix_picture(const SolvedScene& box) {
     const auto      first = first_patches(box.patches);
     const auto      n     = box.patches.size();
@@ -38,9 +38,9 @@ namespace sr {
     };
     for (std::size_t i = 0; i < n; ++i)
         for (std::size_t j = 0; j < n; ++j) {
-            const double F           = box.system.form_factors(i, j);
-            const double shade       = F > 0 ? std::clamp((std::log10(F) + 6) / 5, 0.0, 1.0) : 0;
-            const auto   grey        = float(shade * shade);
+            const double F     = box.system.form_factors(i, j);
+            const double shade = F > 0 ? std::clamp(std::round((std::log10(F) + 6) * 4) / 20, 0.0, 1.0) : 0;
+            const auto   grey  = float(shade * shade);
             film(place(j), place(i)) = {grey, grey, grey};
         }
     return film;
@@ -54,7 +54,8 @@ namespace sr {
     return large;
 }
 
-/// Of patches that are not in part below a block: the share of the light leaving one part that arrives at each other, and last of what leaves the box.
+/// Of patches that are not in part below a block: the share of the light leaving one part that arrives at each other,
+/// and last of what leaves the box.
 [[nodiscard]] inline std::vector<std::vector<double>> shares_between_parts(const SolvedScene& box) {
     const auto                       first = first_patches(box.patches);
     const std::size_t                parts = std::size(parts_of_the_box);
