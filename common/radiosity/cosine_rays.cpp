@@ -2,6 +2,8 @@
 
 #include "radiosity/cosine_rays.hpp"
 
+#include <cmath>
+
 #include "geometry/offset.hpp"
 #include "math/frame.hpp"
 #include "sampling/hemisphere.hpp"
@@ -21,9 +23,10 @@ std::vector<double> CosineRays::row(std::size_t i, int side, Rng& rng) const {
         const double x = rng.uniform<double>(), y = rng.uniform<double>();
         const double u = rng.uniform<double>(), v = rng.uniform<double>();
         const auto   p = from.sample({(k % side + x) / side, (k / side + y) / side});
-        const int    l = int((k * 0.61803398874989485 + shift) * count) % count;  // far from k's neighbours'
-        const auto   w = frame.to_world(
-              sample_cosine_hemisphere(Vector2<double>{(l % side + u) / side, (l / side + v) / side}));
+        const int    l =
+            int(std::fmod(k * 0.61803398874989485 + shift, 1.0) * count) % count;  // far from k's neighbours'
+        const auto w = frame.to_world(
+            sample_cosine_hemisphere(Vector2<double>{(l % side + u) / side, (l / side + v) / side}));
         const auto hit = hierarchy_.nearest(leave(from.surface_point(p), w));
         if (!hit) continue;
         const std::size_t j = seen_.patch_of_face[hit->face];
