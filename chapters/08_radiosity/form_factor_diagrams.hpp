@@ -4,17 +4,11 @@
 
 #include <cmath>
 #include <string>
-#include <vector>
 
-#include "course/chapter.hpp"
-#include "math/degrees.hpp"
+#include "course/diagram.hpp"
+#include "drawing.hpp"
 
 namespace sr {
-
-using course::Anchor;
-using course::Ink;
-using course::Point;
-using course::Weight;
 
 /// Two patches, a point on each, the line between them and its angles with the normals.
 inline void draw_form_factor(course::Diagram diagram) {
@@ -25,16 +19,11 @@ inline void draw_form_factor(course::Diagram diagram) {
                     0.5);
     diagram.polygon({{6.2, 3.6}, {6.38, 3.02}, {6.6, 3.17}, {6.42, 3.75}}, {Ink::green, Weight::thin}, 0.5);
     diagram.line(p, q, {Ink::vermilion, Weight::thick});
-    const auto towards = [](double angle) {
-        return Point{std::cos(radians(angle)), std::sin(radians(angle))};
-    };
     const double line = std::atan2(3.4, 6.4) * 180 / 3.14159265358979324, normal_q = 197;
     diagram.arrow(p, {0, 3}, {Ink::blue, Weight::medium});
     diagram.arrow(q, q + 2.9 * towards(normal_q), {Ink::green, Weight::medium});
     const auto angle = [&](Point at, double radius, double from, double to, const std::string& name) {
-        std::vector<Point> arc;
-        for (int i = 0; i <= 32; ++i) arc.push_back(at + radius * towards(from + (to - from) * i / 32));
-        diagram.line(arc, {Ink::black, Weight::thin});
+        diagram.line(arc(at, radius, from, to), {Ink::black, Weight::thin});
         diagram.label(at + 1.35 * radius * towards((from + to) / 2), name, Anchor::centre);
     };
     angle(p, 1.3, line, 90, "$\\theta$");
@@ -51,20 +40,12 @@ inline void draw_form_factor(course::Diagram diagram) {
 /// In a section: a patch, its image on the unit sphere, and that image's shadow on the base.
 inline void draw_nusselt(course::Diagram diagram) {
     constexpr double from = 32, to = 68, radius = 4;
-    const auto       towards = [](double angle) {
-        return Point{std::cos(radians(angle)), std::sin(radians(angle))};
-    };
-    const auto arc = [&](double first, double last) {
-        std::vector<Point> points;
-        for (int i = 0; i <= 64; ++i) points.push_back(radius * towards(first + (last - first) * i / 64));
-        return points;
-    };
-    const Point a = 7.6 * towards(from), b = 6.2 * towards(to);
+    const Point      a = 7.6 * towards(from), b = 6.2 * towards(to);
     diagram.polygon({{0, 0}, a, b}, {Ink::green, Weight::thin}, 0.1);
-    diagram.line(arc(0, 180), {Ink::black, Weight::medium});
+    diagram.line(arc({0, 0}, radius, 0, 180), {Ink::black, Weight::medium});
     diagram.line({-5, 0}, {5.6, 0}, {Ink::blue, Weight::medium});
     diagram.line(a, b, {Ink::green, Weight::thick});
-    diagram.line(arc(from, to), {Ink::vermilion, Weight::thick});
+    diagram.line(arc({0, 0}, radius, from, to), {Ink::vermilion, Weight::thick});
     for (const double angle : {from, to}) {
         const Point on_sphere = radius * towards(angle);
         diagram.line(on_sphere, {on_sphere.x, 0}, {Ink::vermilion, Weight::thin, true});
