@@ -5,33 +5,13 @@
 #include <cmath>
 #include <vector>
 
+#include "inside_of_a_cube.hpp"
 #include "known_systems.hpp"
 #include "math/square.hpp"
 #include "radiosity/form_factors.hpp"
 #include "radiosity/patch_system.hpp"
 
 namespace sr {
-
-/// The six faces, with their fronts to the inside.
-[[nodiscard]] inline std::vector<Polygon> inside_of_a_cube() {
-    using Point = Vector3<double>;
-    std::vector<Polygon> faces;
-    for (int axis = 0; axis < 3; ++axis) {
-        for (const double at : {0.0, 1.0}) {
-            const auto corner = [&](double u, double v) {
-                Point p;
-                p[axis]           = at;
-                p[(axis + 1) % 3] = u;
-                p[(axis + 2) % 3] = v;
-                return p;
-            };
-            const Patch face{corner(0, 0), corner(1, 0), corner(1, 1),
-                             corner(0, 1)};  // its normal is along +axis
-            faces.push_back({at == 0 ? face : face.reversed(), {}, {}, 0});
-        }
-    }
-    return faces;
-}
 
 /// Each face cut n x n; what lies near the middle of the ceiling shines with a radiosity of 1.
 [[nodiscard]] inline RadiositySystem lit_room(int n, double reflectance, int threads) {

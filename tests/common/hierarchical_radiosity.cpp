@@ -11,6 +11,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "../../chapters/08_radiosity/inside_of_a_cube.hpp"
 #include "near.hpp"
 #include "sampling/rng.hpp"
 #include "scene/cornell_box.hpp"
@@ -20,20 +21,15 @@ using sr::test::near;
 
 namespace {
 
-/// A room of unit sides, seen from inside: faces -x, +x, -y, +y, -z, +z.
+/// The inside of a unit cube with these reflectances and emissions.
 std::vector<Polygon> cube(const std::array<double, 6>& reflectance, const std::array<double, 6>& emission) {
-    const auto           p = [](int x, int y, int z) { return Vector3<double>(x, y, z); };
-    const std::array     shapes{Patch{p(0, 0, 0), p(0, 1, 0), p(0, 1, 1), p(0, 0, 1)},
-                            Patch{p(1, 0, 0), p(1, 0, 1), p(1, 1, 1), p(1, 1, 0)},
-                            Patch{p(0, 0, 0), p(0, 0, 1), p(1, 0, 1), p(1, 0, 0)},
-                            Patch{p(0, 1, 0), p(1, 1, 0), p(1, 1, 1), p(0, 1, 1)},
-                            Patch{p(0, 0, 0), p(1, 0, 0), p(1, 1, 0), p(0, 1, 0)},
-                            Patch{p(0, 0, 1), p(0, 1, 1), p(1, 1, 1), p(1, 0, 1)}};
-    const auto           grey = [](double value) { return DoubleSpectrum{value, value, value}; };
-    std::vector<Polygon> polygons;
-    for (std::uint32_t i = 0; i < 6; ++i)
-        polygons.push_back({shapes[i], grey(reflectance[i]), grey(emission[i]), i});
-    return polygons;
+    const auto grey  = [](double value) { return DoubleSpectrum{value, value, value}; };
+    auto       faces = inside_of_a_cube();
+    for (std::size_t i = 0; i < 6; ++i) {
+        faces[i].reflectance = grey(reflectance[i]);
+        faces[i].emission    = grey(emission[i]);
+    }
+    return faces;
 }
 
 Visibility visibility_of(const std::vector<Polygon>& polygons) {
@@ -121,10 +117,11 @@ TEST_CASE("D5: the area means of the cube with six reflectances, by either oracl
                                          0.10823833229437256,  0.12786779918237814, 1.0568202470065877};
     const auto                  room  = cube({0.1, 0.2, 0.3, 0.4, 0.5, 0.6}, {0, 0, 0, 0, 0, 1});
     const auto                  error = solution_of(room, {.bound = 1e-4, .threads = 0});
-    const auto power = solution_of(room, {.bound = 5e-6, .oracle = LinkOracle::power, .threads = 0});
+    // Power does not ask how wrong a link is: its error falls slowly, and is still positive on each face.
+    const auto power = solution_of(room, {.bound = 1.5e-6, .oracle = LinkOracle::power, .threads = 0});
     for (std::size_t i = 0; i < 6; ++i) {
         CHECK(error.radiosities[i].g == near(expected[i], 1e-3));
-        CHECK(power.radiosities[i].g == near(expected[i], 1.5e-3));
+        CHECK(power.radiosities[i].g == near(expected[i], 1e-3));
     }
     const auto coarse = solution_of(room, {.bound = 1});
     CHECK(coarse.trees.leaf_count() == 6);

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "../../chapters/08_radiosity/inside_of_a_cube.hpp"
 #include "near.hpp"
 
 using namespace sr;
@@ -17,18 +18,14 @@ using sr::test::near;
 
 namespace {
 
-/// A room of unit sides seen from inside, B = E / (1 - rho) = 2 everywhere.
+/// The inside of a unit cube, B = E / (1 - rho) = 2 everywhere.
 std::vector<Polygon> room() {
-    const auto           p = [](int x, int y, int z) { return Vector3<double>(x, y, z); };
-    const std::array     shapes{Patch{p(0, 0, 0), p(0, 1, 0), p(0, 1, 1), p(0, 0, 1)},
-                            Patch{p(1, 0, 0), p(1, 0, 1), p(1, 1, 1), p(1, 1, 0)},
-                            Patch{p(0, 0, 0), p(0, 0, 1), p(1, 0, 1), p(1, 0, 0)},
-                            Patch{p(0, 1, 0), p(1, 1, 0), p(1, 1, 1), p(0, 1, 1)},
-                            Patch{p(0, 0, 0), p(1, 0, 0), p(1, 1, 0), p(0, 1, 0)},
-                            Patch{p(0, 0, 1), p(0, 1, 1), p(1, 1, 1), p(1, 0, 1)}};
-    std::vector<Polygon> polygons;
-    for (const auto& shape : shapes) polygons.push_back({shape, {0.5, 0.5, 0.5}, {1, 1, 1}, 0});
-    return polygons;
+    auto faces = inside_of_a_cube();
+    for (auto& face : faces) {
+        face.reflectance = {0.5, 0.5, 0.5};
+        face.emission    = {1, 1, 1};
+    }
+    return faces;
 }
 
 }  // namespace
