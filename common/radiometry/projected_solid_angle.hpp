@@ -9,9 +9,10 @@
 #include <algorithm>
 #include <cmath>
 #include <concepts>
-#include <cstddef>
 #include <limits>
 #include <numbers>
+#include <optional>
+#include <span>
 #include <stdexcept>
 #include <vector>
 
@@ -69,17 +70,26 @@ template <std::floating_point T>
 /// through it and the receiver. The part below the horizon is cut off.
 /// @see Lambert, Photometria (1760); Arvo, The Irradiance Jacobian for Partially Occluded Polyhedral Sources (1994)
 template <std::floating_point T>
-[[nodiscard]] SolidAngle<T> projected_solid_angle(const std::vector<Vector3<T>>& polygon) {
-    const auto corners = above_horizon(polygon);
-    T          sum     = 0;
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-        const Vector3<T>& p      = corners[i];
-        const Vector3<T>  edge   = corners[(i + 1) % corners.size()] - p;
-        const Vector3<T>  normal = cross(p, edge);
-        const T           size   = length(normal);
+[[nodiscard]] SolidAngle<T> projected_solid_angle(std::span<const Vector3<T>> polygon) {
+    T          sum      = 0;
+    const auto add_edge = [&sum](const Vector3<T>& p, const Vector3<T>& q) {
+        const Vector3<T> edge = q - p, normal = cross(p, edge);
+        const T          size = length(normal);
         if (size != 0) sum += std::atan2(size, dot(p, p + edge)) * (normal.z / size);
-    }
+    };
+    std::optional<Vector3<T>> first, last;
+    corners_above_horizon(polygon, [&](const Vector3<T>& corner) {
+        if (last) add_edge(*last, corner);
+        if (!first) first = corner;
+        last = corner;
+    });
+    if (first) add_edge(*last, *first);
     return SolidAngle<T>{std::abs(sum) / 2};
+}
+
+template <std::floating_point T>
+[[nodiscard]] SolidAngle<T> projected_solid_angle(const std::vector<Vector3<T>>& polygon) {
+    return projected_solid_angle(std::span(polygon));
 }
 
 }  // namespace sr

@@ -2,10 +2,11 @@
 /// @file point_form_factors.hpp
 /// Form factors from one point: what a patch is replaced by where it is small, and what others are summed up of.
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
-#include <vector>
+#include <span>
 
 #include "math/frame.hpp"
 #include "math/square.hpp"
@@ -45,11 +46,12 @@ namespace sr {
                                                 const Patch& to) {
     const double rounding = rounding_bound(size_of(p)) + to.surface_point(to.centre()).error;
     if (!(dot(p - to.centre(), to.normal()) > rounding)) return 0;
-    const auto                   frame = frame_around(normal);
-    std::vector<Vector3<double>> seen;
-    seen.reserve(4);
-    for (const auto& corner : to.corners()) seen.push_back(frame.to_local(corner - p));
-    return projected_solid_angle(seen).value() / std::numbers::pi;
+    const auto                     frame   = frame_around(normal);
+    const auto                     corners = to.corners();
+    std::array<Vector3<double>, 4> seen;
+    for (std::size_t i = 0; i < corners.size(); ++i) seen[i] = frame.to_local(corners[i] - p);
+    return projected_solid_angle(std::span<const Vector3<double>>(seen.data(), corners.size())).value() /
+           std::numbers::pi;
 }
 
 /// Whether some part of each lies before the other's surface, by more than their corners may be rounded: pieces of one
