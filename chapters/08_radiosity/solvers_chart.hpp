@@ -112,7 +112,7 @@ inline void claim_sweeps(course::Chapter& chapter) {
     course::Rows                                           table{{"reflectance", "solver", "sweeps"}};
     const std::vector<std::pair<double, std::vector<int>>> expected{{0.5, {19, 11, 10, 10, 6, 15}},
                                                                     {0.9, {131, 67, 66, 66, 9, 91}},
-                                                                    {0.99, {1375, 689, 689, 688, 9, 937}}};
+                                                                    {0.99, {1375, 689, 688, 688, 9, 937}}};
     for (const auto& [rho, sweeps] : expected) {
         const auto   grey_room = painted(room, rho);
         const auto   exact     = direct_solution(grey_room);

@@ -3,7 +3,10 @@
 #include "radiosity/patch.hpp"
 
 #include <algorithm>
+#include <cmath>
 
+#include "math/frame.hpp"
+#include "radiometry/horizon.hpp"
 #include "sampling/linear.hpp"
 
 namespace sr {
@@ -54,6 +57,29 @@ std::array<Patch, 4> Patch::quarters() const {
     const Point cd = (c + d) / 2.0, da = (d + a) / 2.0, middle = (ab + cd) / 2.0;
     return {Patch{a, ab, middle, da}, Patch{ab, b, bc, middle}, Patch{middle, bc, c, cd},
             Patch{da, middle, cd, d}};
+}
+
+std::vector<Patch> Patch::parts_before(const Patch& other) const {
+    const auto           frame = frame_around(other.normal_);  // in which the other's surface is z = 0
+    std::array<Point, 4> local;
+    bool                 is_cut = false;
+    for (std::size_t i = 0; i < count_; ++i) {
+        local[i] = frame.to_local(corners_[i] - other.centre_);
+        if (std::abs(local[i].z) <= error_ + other.error_) local[i].z = 0;
+        if (local[i].z < 0) is_cut = true;
+    }
+    if (!is_cut) return {*this};
+    std::vector<Point> p;
+    corners_above_horizon(std::span<const Point>(local.data(), count_),
+                          [&](const Point& corner) { p.push_back(other.centre_ + frame.to_world(corner)); });
+    std::vector<Patch> parts;
+    const auto         add = [&](const Patch& part) {
+        if (part.area_ > 0) parts.push_back(part);
+    };
+    if (p.size() == 3) add({{p[0], p[1], p[2], p[2]}, 3});
+    if (p.size() >= 4) add({{p[0], p[1], p[2], p[3]}, 4});
+    if (p.size() == 5) add({{p[0], p[3], p[4], p[4]}, 3});
+    return parts;
 }
 
 Patch Patch::reversed() const {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <span>
+#include <vector>
 
 #include "geometry/offset.hpp"
 #include "math/vector.hpp"
@@ -41,6 +42,10 @@ public:
 
     /// Four patches that make up this one: by the middles of its sides, of quadrilaterals also the corners' mean.
     [[nodiscard]] std::array<Patch, 4> quarters() const;
+
+    /// What of this patch lies before the surface of another one, by more than rounding: itself, or where that surface cuts
+    /// it, one patch or two; none if all lies behind.
+    [[nodiscard]] std::vector<Patch> parts_before(const Patch& other) const;
 
     /// The same from behind.
     [[nodiscard]] Patch reversed() const;

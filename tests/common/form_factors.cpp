@@ -108,6 +108,41 @@ TEST_CASE("C1-C3: the exchange area meets the closed forms to its tolerance") {
     }
 }
 
+TEST_CASE("C3: of a floor that goes on behind a wall, all is seen that is before it, however little") {
+    const Patch wall = upright(1, 1);  // not smaller than the floor, which is summed up
+    for (const double before : {0.01, 0.05, 0.3, 0.5, 0.95})
+        for (const double tolerance : {0.01, 1e-3, 1e-4}) {
+            CAPTURE(before);
+            CAPTURE(tolerance);
+            const Patch floor{{before - 1, 0, 0}, {before, 0, 0}, {before, 1, 0}, {before - 1, 1, 0}};
+            CHECK(exchange_area(floor, wall, tolerance) ==
+                  near(before * perpendicular_rectangles(1, before, 1), tolerance));
+        }
+}
+
+TEST_CASE("a patch is cut along another's surface, and what touches that is not") {
+    const auto area_before = [](const Patch& patch, const Patch& other) {
+        double sum = 0;
+        for (const auto& part : patch.parts_before(other)) {
+            CHECK(dot(part.normal(), patch.normal()) == near(1, 1e-14));
+            sum += part.area();
+        }
+        return sum;
+    };
+    const Patch wall = upright(1, 1), square = level(1, 1), triangle{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    CHECK(square.parts_before(wall).size() == 1);
+    CHECK(area_before(square, wall) == 1);
+    CHECK(square.parts_before(wall.reversed()).empty());
+    // planes through (c, 0) and (0, c) of the floor, whose fronts look away from the origin: what is left has 5, 4, 3 corners
+    const auto along = [](double c) { return Patch{{c, 0, 0}, {0, c, 0}, {0, c, 1}}; };
+    for (const double c : {0.5, 0.25}) CHECK(area_before(square, along(c)) == near(1 - c * c / 2, 1e-14));
+    CHECK(square.parts_before(along(0.5).reversed()).size() == 1);
+    CHECK(area_before(square, along(0.5).reversed()) == near(0.125, 1e-14));
+    CHECK(area_before(square, along(1.5).reversed()) == near(0.875, 1e-14));
+    CHECK(area_before(triangle, along(0.5)) == near(0.375, 1e-14));
+    CHECK(area_before(triangle, along(0.5).reversed()) == near(0.125, 1e-14));
+}
+
 TEST_CASE("what is not seen from before, or does not look here, has no exchange") {
     CHECK(exchange_area(level(1, 1), level(1, 1, 1)) == 0);
     CHECK(exchange_area(level(1, 1, 1), level(1, 1).reversed()) == 0);
