@@ -74,9 +74,10 @@ inline constexpr std::size_t most_own_patches = 4000;  ///< a matrix of 128 MB
 }
 
 inline void render_own_scene(course::Chapter& chapter, const OwnScene& own) {
-    const int  threads = chapter.options().threads;
-    const auto solved  = solve_patches(own.patches, own.mesh, threads);
-    const auto values  = exposed(solved, solved.at_vertices, solved.radiosities);
+    const int    threads = chapter.options().threads;
+    const double noise   = 0.09;  // patches may be as large as faces are, and go through each other
+    const auto   solved  = solve_patches(own.patches, own.mesh, threads, noise);
+    const auto   values  = exposed(solved, solved.at_vertices, solved.radiosities);
     chapter.render("scene", "The scene",
                    fmt::format("{} patches, both sides of all faces; exposed for what does not shine.",
                                solved.patches.size()),
