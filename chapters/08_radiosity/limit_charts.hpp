@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <stdexcept>
 #include <vector>
 
 #include "course/chapter.hpp"
@@ -82,11 +83,11 @@ struct Sliver {
         return {at(-0.5, -0.5), at(0.5, -0.5), at(0.5, 0.5), at(-0.5, 0.5)};
     }
 
-    /// By how much the form factor to the square is wrong, as a share of itself. NaN where the area is 0.
+    /// By how much the form factor to the square is wrong, as a share of itself.
+    /// @throws std::invalid_argument where the area is 0
     [[nodiscard]] double error(double width) const {
         const Patch roof = rectangle(1, 1).reversed(), sliver = rectangle(width, 0);
-        if (!(sliver.area() > 0)) return NAN;
-        double F = 0, exact = 0;  // along the middle line
+        double      F = 0, exact = 0;  // along the middle line
         for (const auto& [s, weight] : gauss_legendre(8, 0, 1)) {
             F += weight * contour_form_factor(sliver.at({s, 0.5}), sliver.normal(), roof);
             exact += weight * contour_form_factor(middle + (s - 0.5) * d, n, roof);
@@ -96,7 +97,7 @@ struct Sliver {
 };
 
 /// The largest error of slivers in 16 places; NaN if one of them has no area.
-[[nodiscard]] inline double sliver_error(double width) {
+[[nodiscard]] inline double sliver_error(double width) try {
     double largest = 0;
     for (int k = 0; k < 16; ++k) {
         Sliver sliver;
@@ -104,6 +105,8 @@ struct Sliver {
         largest = max_or_nan(largest, sliver.error(width));
     }
     return largest;
+} catch (const std::invalid_argument&) {
+    return NAN;
 }
 
 inline void chart_slivers(course::Chapter& chapter) {

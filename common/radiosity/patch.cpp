@@ -2,14 +2,58 @@
 
 #include "radiosity/patch.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
 
 #include "math/frame.hpp"
 #include "radiometry/horizon.hpp"
 #include "sampling/linear.hpp"
 
 namespace sr {
+namespace {
+
+void require(bool good, const Patch& patch, const char* what) {
+    if (good) return;
+    std::string corners;
+    for (const auto& p : patch.corners()) corners += fmt::format(" ({}, {}, {})", p.x, p.y, p.z);
+    throw std::invalid_argument(fmt::format("the patch with the corners{} {}", corners, what));
+}
+
+void require_area(const Patch& patch) {
+    require(patch.area() > 0 && patch.area() <= std::numeric_limits<double>::max(), patch,
+            "has no area; its corners must not lie on one line");
+}
+
+}  // namespace
+
+bool make_a_quadrilateral(const std::array<Patch::Point, 4>& corners) {
+    const auto& [a, b, c, d]     = corners;
+    const Vector3<double> normal = normalize(cross(c - a, d - b));
+    const double          size   = std::max(length(c - a), length(d - b));
+    const double     rounding    = rounding_bound(std::max({size_of(a), size_of(b), size_of(c), size_of(d)}));
+    constexpr double flat        = 1e-6;  // part of its size: files are rounded to six digits
+    // Both diagonals are at right angles to the normal: half as far as one corner is from the plane of the others.
+    if (!(2 * std::abs(dot(normal, b - a)) <= flat * size + rounding)) return false;
+    for (std::size_t i = 0; i < 4; ++i) {
+        const auto before = corners[(i + 3) % 4] - corners[i], after = corners[(i + 1) % 4] - corners[i];
+        if (!(dot(normal, cross(after, before)) >= -rounding * size)) return false;
+    }
+    return true;
+}
+
+Patch::Patch(const Point& a, const Point& b, const Point& c) : Patch({a, b, c, c}, 3) {
+    require_area(*this);
+}
+
+Patch::Patch(const Point& a, const Point& b, const Point& c, const Point& d) : Patch({a, b, c, d}, 4) {
+    require_area(*this);
+    require(make_a_quadrilateral(corners_), *this, "is no flat convex quadrilateral; make it two triangles");
+}
 
 Patch::Patch(const std::array<Point, 4>& corners, std::size_t count) : corners_(corners), count_(count) {
     const auto& [a, b, c, d]      = corners_;
@@ -52,11 +96,12 @@ std::array<Patch, 4> Patch::quarters() const {
     const Point ab = (a + b) / 2.0, bc = (b + c) / 2.0;
     if (count_ == 3) {
         const Point ca = (c + a) / 2.0;
-        return {Patch{a, ab, ca}, Patch{ab, b, bc}, Patch{ca, bc, c}, Patch{bc, ca, ab}};
+        return {Patch({a, ab, ca, ca}, 3), Patch({ab, b, bc, bc}, 3), Patch({ca, bc, c, c}, 3),
+                Patch({bc, ca, ab, ab}, 3)};
     }
     const Point cd = (c + d) / 2.0, da = (d + a) / 2.0, middle = (ab + cd) / 2.0;
-    return {Patch{a, ab, middle, da}, Patch{ab, b, bc, middle}, Patch{middle, bc, c, cd},
-            Patch{da, middle, cd, d}};
+    return {Patch({a, ab, middle, da}, 4), Patch({ab, b, bc, middle}, 4), Patch({middle, bc, c, cd}, 4),
+            Patch({da, middle, cd, d}, 4)};
 }
 
 std::vector<Patch> Patch::parts_before(const Patch& other) const {
@@ -84,7 +129,7 @@ std::vector<Patch> Patch::parts_before(const Patch& other) const {
 
 Patch Patch::reversed() const {
     const auto& [a, b, c, d] = corners_;
-    return count_ == 3 ? Patch{c, b, a} : Patch{d, c, b, a};
+    return count_ == 3 ? Patch({c, b, a, a}, 3) : Patch({d, c, b, a}, 4);
 }
 
 }  // namespace sr

@@ -17,10 +17,10 @@ class Patch {
 public:
     using Point = Vector3<double>;
 
-    /// @pre the corners lie in a plane, and the area is not 0
-    Patch(const Point& a, const Point& b, const Point& c) : Patch({a, b, c, c}, 3) {}
-    /// @pre as above, and the corners are convex
-    Patch(const Point& a, const Point& b, const Point& c, const Point& d) : Patch({a, b, c, d}, 4) {}
+    /// @throws std::invalid_argument with the corners, if they have no area
+    Patch(const Point& a, const Point& b, const Point& c);
+    /// @throws std::invalid_argument with the corners, if they have no area, or do not make_a_quadrilateral
+    Patch(const Point& a, const Point& b, const Point& c, const Point& d);
 
     [[nodiscard]] std::span<const Point> corners() const { return {corners_.data(), count_}; }
     [[nodiscard]] double                 area() const { return area_; }      ///< [length unit^2]
@@ -51,7 +51,7 @@ public:
     [[nodiscard]] Patch reversed() const;
 
 private:
-    Patch(const std::array<Point, 4>& corners, std::size_t count);
+    Patch(const std::array<Point, 4>& corners, std::size_t count);  ///< unchecked
 
     std::array<Point, 4> corners_;
     std::size_t          count_;
@@ -59,5 +59,9 @@ private:
     Vector3<double>      normal_;
     Point                centre_;
 };
+
+/// Whether four points are corners of a patch: in one plane, up to the six digits that files are rounded to, and none of
+/// them turned inwards by more than rounding.
+[[nodiscard]] bool make_a_quadrilateral(const std::array<Patch::Point, 4>& corners);
 
 }  // namespace sr

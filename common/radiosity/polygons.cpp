@@ -44,25 +44,13 @@ void check_only_faces(const Scene& scene) {
         throw std::invalid_argument("radiosity needs faces, and the scene has none");
 }
 
-/// Twice the area at each corner, along `normal`: all are positive where the quadrilateral is convex.
-bool is_convex(const std::array<Point, 4>& p, const Vector3<double>& normal) {
-    for (std::size_t i = 0; i < 4; ++i) {
-        const Point &before = p[(i + 3) % 4], &after = p[(i + 1) % 4];
-        if (!(dot(normal, cross(after - p[i], before - p[i])) > 0)) return false;
-    }
-    return true;
-}
-
 /// The quadrilateral of two faces, if they are one.
 std::optional<Patch> quadrilateral(const Mesh<double>& mesh, std::size_t first) {
     const auto &f = mesh.faces[first], &g = mesh.faces[first + 1];
     if (f[0] != g[0] || f[2] != g[1]) return std::nullopt;
     const std::array<Point, 4> p{mesh.vertices[f[0]], mesh.vertices[f[1]], mesh.vertices[f[2]],
                                  mesh.vertices[g[2]]};
-    const Vector3<double>      twice = area_vector(mesh.triangle(first)), normal = twice / length(twice);
-    constexpr double           flat = 1e-6;  // part of its size: files are rounded to six digits
-    if (!(std::abs(dot(normal, p[3] - p[0])) <= flat * length(p[2] - p[0])) || !is_convex(p, normal))
-        return std::nullopt;
+    if (!make_a_quadrilateral(p)) return std::nullopt;
     return Patch{p[0], p[1], p[2], p[3]};
 }
 

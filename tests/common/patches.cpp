@@ -62,6 +62,48 @@ std::string refusal(const Scene& scene) {
 
 }  // namespace
 
+TEST_CASE("a patch without an area, or four corners that are not flat and convex, is refused, and named") {
+    const Point  a{0, 0, 0}, b{1, 0, 0}, c{1, 1, 0}, d{0, 1, 0};
+    const double none = std::nan(""), far = std::numeric_limits<double>::infinity();
+    CHECK_THROWS_WITH_AS(
+        Patch(a, b, Point{2, 0, 0}),
+        "the patch with the corners (0, 0, 0) (1, 0, 0) (2, 0, 0) has no area; its corners must "
+        "not lie on one line",
+        std::invalid_argument);
+    CHECK_THROWS_AS(Patch(a, b, b), std::invalid_argument);
+    CHECK_THROWS_AS(Patch(a, b, Point{1, none, 0}), std::invalid_argument);
+    CHECK_THROWS_AS(Patch(a, b, Point{1, far, 0}), std::invalid_argument);
+    CHECK_THROWS_AS(Patch(a, b, Point{2, 0, 0}, Point{3, 0, 0}), std::invalid_argument);
+    CHECK_THROWS_AS(Patch(a, b, c, Point{0, none, 0}), std::invalid_argument);
+    CHECK_THROWS_WITH_AS(
+        Patch(a, b, Point{0.25, 0.25, 0}, d),  // turned inwards
+        "the patch with the corners (0, 0, 0) (1, 0, 0) (0.25, 0.25, 0) (0, 1, 0) is no flat convex "
+        "quadrilateral; make it two triangles",
+        std::invalid_argument);
+    CHECK_THROWS_AS(Patch(a, c, b, d), std::invalid_argument);  // its sides cross
+    CHECK_THROWS_AS(Patch(a, b, Point{1, 1, 1e-3}, d), std::invalid_argument);
+    CHECK_THROWS_AS(Patch(a, b, Point{1, 1, 2e-6}, d), std::invalid_argument);
+}
+
+TEST_CASE(
+    "a patch may be off its plane as files are rounded, have a corner on a side, and be narrow and far "
+    "away") {
+    const Point a{0, 0, 0}, b{1, 0, 0}, d{0, 1, 0};
+    CHECK(Patch(a, b, {1, 1, 1e-6}, d).area() == near(1, 1e-6));
+    CHECK(Patch(a, b, {0.5, 0.5, 0}, d).area() == near(0.5, 1e-14));
+    for (const double width : {1e-3, 1e-8, 1e-11}) {
+        CAPTURE(width);
+        const auto at = [&](double s, double t) {
+            return Point{100, 50, 20} + s * normalize(Point{1, 2, 0}) +
+                   t * width * normalize(Point{2, -1, 3});
+        };
+        const Patch narrow(at(0, 0), at(1, 0), at(1, 1), at(0, 1));
+        CHECK(narrow.area() == near(width, 1e-13 / width));  // corners are rounded to 100 / 2^53
+        for (const auto& quarter : narrow.quarters()) CHECK(quarter.area() == near(width / 4, 1e-13 / width));
+        CHECK(narrow.reversed().area() == near(width, 1e-13 / width));
+    }
+}
+
 TEST_CASE("a patch has the area, the centre and the normal of its corners") {
     CHECK(trapezoid.area() == near(3, 1e-15));
     CHECK(trapezoid.centre().x ==

@@ -75,10 +75,7 @@ TEST_CASE(
 }
 
 TEST_CASE("a face without an area would be 0 / 0 in every row: it is left out, and narrow ones are no harm") {
-    const Patch line{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}};
-    CHECK(line.area() == 0);
-    CHECK(std::isnan(line.normal().x));
-    CHECK(std::isnan(0.0 / line.area()));
+    CHECK_THROWS_AS(Patch({0, 0, 0}, {1, 0, 0}, {2, 0, 0}), std::invalid_argument);
 
     Scene scene{.mesh             = {{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {2, 0, 0}}, {{0, 1, 2}, {0, 1, 3}}},
                 .materials        = {diffuse_material("paint", {0.5F, 0.5F, 0.5F})},
