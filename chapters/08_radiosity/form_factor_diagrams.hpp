@@ -22,12 +22,8 @@ inline void draw_form_factor(course::Diagram diagram) {
     const double line = std::atan2(3.4, 6.4) * 180 / 3.14159265358979324, normal_q = 197;
     diagram.arrow(p, {0, 3}, {Ink::blue, Weight::medium});
     diagram.arrow(q, q + 2.9 * towards(normal_q), {Ink::green, Weight::medium});
-    const auto angle = [&](Point at, double radius, double from, double to, const std::string& name) {
-        diagram.line(arc(at, radius, from, to), {Ink::black, Weight::thin});
-        diagram.label(at + 1.35 * radius * towards((from + to) / 2), name, Anchor::centre);
-    };
-    angle(p, 1.3, line, 90, "$\\theta$");
-    angle(q, 1.6, normal_q, 180 + line, "$\\theta'$");
+    draw_angle(diagram, p, 1.3, line, 90, "$\\theta$", 1.35);
+    draw_angle(diagram, q, 1.6, normal_q, 180 + line, "$\\theta'$", 1.35);
     diagram.label({0, 3.35}, "$\\mathbf{n}$", Anchor::centre, Ink::blue);
     diagram.label(q + 3.25 * towards(normal_q), "$\\mathbf{n}'$", Anchor::centre, Ink::green);
     diagram.label({3.75, 1.55}, "$r$", Anchor::centre, Ink::vermilion);

@@ -12,8 +12,7 @@ namespace sr {
 inline void draw_directions(course::Diagram diagram, Point p, double omega, Point left, Point right) {
     diagram.polygon({p, left, right}, {Ink::vermilion, Weight::thin}, 0.2);
     diagram.arrow(p, p + Point{0, 2.6}, {Ink::blue});
-    diagram.line(arc(p, 1.5, omega, 90), {Ink::black, Weight::thin});
-    diagram.label(p + 1.9 * towards((omega + 90) / 2), "$\\theta$", Anchor::centre);
+    draw_angle(diagram, p, 1.5, omega, 90, "$\\theta$", 1.27);
     diagram.label(p + Point{0, 2.95}, "$\\mathbf{n}_p$", Anchor::centre, Ink::blue);
     diagram.label(p + Point{0, -0.55}, "$p$", Anchor::centre);
 }
