@@ -15,6 +15,7 @@
 #include <tuple>
 #include <vector>
 
+#include "../../chapters/08_radiosity/inside_of_a_cube.hpp"
 #include "geometry/sphere.hpp"
 #include "law.hpp"
 #include "math/gauss_legendre.hpp"
@@ -56,12 +57,43 @@ Polygon grey(const Patch& shape) {
 
 /// The unit cube from inside, each face cut into n x n.
 Patches cube(int n) {
-    const Point                p[] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},
-                                      {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
-    const std::vector<Polygon> faces{grey({p[0], p[1], p[2], p[3]}), grey({p[7], p[6], p[5], p[4]}),
-                                     grey({p[0], p[4], p[5], p[1]}), grey({p[1], p[5], p[6], p[2]}),
-                                     grey({p[2], p[6], p[7], p[3]}), grey({p[3], p[7], p[4], p[0]})};
-    return cut(faces, 1.0 / n);
+    return cut(inside_of_a_cube(), 1.0 / n);
+}
+
+/// From z = -1e6 to 1e6 and thin as a line there, a plane's strip from p to q; the light goes to the left of that way.
+/// What leaves by its ends is about 1e-12 of what its middle gets.
+Patch strip(Vector2<double> p, Vector2<double> q) {
+    constexpr double end = 1e6;
+    return {{p.x, p.y, -end}, {p.x, p.y, end}, {q.x, q.y, end}, {q.x, q.y, -end}};
+}
+
+/// A cylinder along z, as a prism whose sides are strips: 720 of them lie as near to it as 1e-5 of its radius.
+std::vector<Patch> cylinder(Vector2<double> centre, double r) {
+    std::vector<Patch> sides;
+    constexpr int      n     = 720;
+    const auto         point = [&](int k) {
+        return Vector2<double>{centre.x + r * std::cos(2 * pi * k / n),
+                               centre.y + r * std::sin(2 * pi * k / n)};
+    };
+    for (int k = 0; k < n; ++k) sides.push_back(strip(point(k + 1), point(k)));
+    return sides;
+}
+
+/// From the point p of the plane z = 0, with the normal n, to all of something convex.
+double from_line(Vector2<double> p, Vector2<double> n, const std::vector<Patch>& to) {
+    double sum = 0;
+    for (const auto& patch : to) sum += contour_form_factor({p.x, p.y, 0}, {n.x, n.y, 0}, patch);
+    return sum;
+}
+
+/// The mean over a strip from p to q; the light goes to the left of that way.
+double from_strip(Vector2<double> p, Vector2<double> q, const std::vector<Patch>& to) {
+    const Vector2<double> along = q - p;
+    const double          size  = std::hypot(along.x, along.y);
+    double                sum   = 0;
+    for (const auto& [s, weight] : gauss_legendre(64, 0, 1))
+        sum += weight * from_line(p + s * along, {-along.y / size, along.x / size}, to);
+    return sum;
 }
 
 double exchange_of(const Patch& from, const Patch& to, double tolerance) {
@@ -232,8 +264,22 @@ TEST_CASE("C11, C12: on the inside of a sphere, the kernel is 1 / (4 pi R^2) bet
         const double kernel = form_factor_kernel(2.0 * p, -p, 2.0 * q, -q);  // R = 2
         RC_ASSERT(std::abs(kernel * 16 * pi - 1) <= 1e-9);
     });
-    // so that a hemisphere is 1/2 of all that any point of it sends, and a cap of 60 degrees 1/4
-    CHECK(2 * pi / (4 * pi) == near(0.5, 1e-15));
+    // Of all that any point of a sphere sends, a hemisphere gets 1/2 and a cap of 60 degrees 1/4: rings of it, in sum.
+    const auto cap = [](const Point& p, double angle) {
+        double sum = 0;
+        for (const auto& [z, dz] : gauss_legendre(8, std::cos(angle), 1))
+            for (const auto& [turn, around] : gauss_legendre(8, 0, 2 * pi)) {
+                const double r = std::sqrt(1 - z * z);
+                const Point  q{r * std::cos(turn), r * std::sin(turn), z};
+                sum += dz * around * form_factor_kernel(p, -p, q, -q);
+            }
+        return sum;
+    };
+    const Point p{std::sin(2.0), 0, std::cos(2.0)};
+    CHECK(cap(p, pi / 2) == near(0.5, 1e-12));
+    CHECK(cap(p, pi / 3) == near(0.25, 1e-12));
+    CHECK(cap(Point{1, 0, 0}, pi / 2) ==
+          near(0.5, 1e-12));  // C12: of the dome itself, its base gets the rest
 }
 
 TEST_CASE("C14: long rectangles are strips") {
@@ -243,6 +289,38 @@ TEST_CASE("C14: long rectangles are strips") {
     CHECK(perpendicular_rectangles(length, 1, 1) == near(0.29289321881345248, 2e-4));
     CHECK(perpendicular_rectangles(length, 1, 3) == near(0.41886116991581033, 3e-4));
     CHECK(perpendicular_rectangles(length, 1, 3) != near(0.41886116991581033, 1e-7));
+}
+
+TEST_CASE(
+    "C14, C16: strips, from points on them: crossed strings, a wedge, and a prism of sides 3, 4 and 5") {
+    const Vector2<double> o{0, 0}, right{1, 0}, aslant{std::cos(pi / 6), std::sin(pi / 6)};
+    CHECK(from_strip(o, right, {strip({1, 1}, {0, 1})}) == near(0.41421356237309505, 1e-9));
+    CHECK(from_strip(o, right, {strip({0, 3}, o)}) ==
+          near(0.41886116991581033, 1e-4));  // its kernel has a kink at o
+    CHECK(from_strip(o, right, {strip(aslant, o)}) == near(0.74118095489747924, 1e-4));  // 1 - sin 15 degrees
+
+    const Vector2<double> a{4, 0}, b{0, 3};
+    CHECK(from_strip(b, o, {strip(o, a)}) == near(1.0 / 3, 1e-4));
+    CHECK(from_strip(b, o, {strip(a, b)}) == near(2.0 / 3, 1e-4));
+    CHECK(from_strip(o, a, {strip(b, o)}) == near(0.25, 1e-4));
+    CHECK(from_strip(o, a, {strip(a, b)}) == near(0.75, 1e-4));
+    CHECK(from_strip(a, b, {strip(b, o)}) == near(0.4, 1e-4));
+    CHECK(from_strip(a, b, {strip(o, a)}) == near(0.6, 1e-4));
+}
+
+TEST_CASE("C17, C18: long cylinders, seen from each other and from a strip") {
+    const auto around = [](double gap) {  // the mean over one of radius 1, of which half can see the other
+        const auto other = cylinder({2 + gap, 0}, 1);
+        double     sum   = 0;
+        for (const auto& [turn, weight] : gauss_legendre(64, 0, pi)) {
+            const Vector2<double> n{std::cos(turn), std::sin(turn)};
+            sum += weight / pi * from_line(n, n, other);
+        }
+        return sum;
+    };
+    CHECK(around(1) == near(0.11069596963167251, 1e-4));
+    CHECK(around(0) == near(0.18169011381620933, 2e-3));  // they touch, and the prism doesn't quite
+    CHECK(from_strip({0.25, 0}, {2, 0}, cylinder({0, 1}, 0.5)) == near(0.24633430133349324, 2e-5));
 }
 
 TEST_CASE("C20: squares as points") {

@@ -1,10 +1,12 @@
 /// @file radiosity_relaxation.cpp
-/// For which lambda relaxed Jacobi converges, and how fast: oracles D13 to D17.
+/// For which lambda relaxed Jacobi converges, and how fast: oracles C4 and D13 to D17.
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "../../chapters/08_radiosity/known_systems.hpp"
 #include "near.hpp"
@@ -27,6 +29,20 @@ int steps_to_a_millionth(const RadiositySystem& system, double lambda, double ex
 }
 
 }  // namespace
+
+TEST_CASE("C4: the eigenvalues of a cube's form factors: 1, three of -f_o, two of f_o - 2 f_a") {
+    constexpr double    rho = 0.5;
+    std::vector<double> found;  // mu is 1 - rho times an eigenvalue of F
+    for (const auto& mu : jacobi_eigenvalues(cube_of_faces(std::vector<GreyPatch>(6, {rho, 1})))) {
+        CHECK(std::abs(mu.imag()) <= 1e-14);
+        found.push_back((1 - mu.real()) / rho);
+    }
+    std::sort(found.begin(), found.end());
+    const double across = -0.19982489569838738, beside = -0.20026265645241893;
+    const double expected[] = {beside, beside, across, across, across, 1};
+    REQUIRE(found.size() == 6);
+    for (std::size_t i = 0; i < 6; ++i) CHECK(found[i] == near(expected[i], 1e-13));
+}
 
 TEST_CASE("D13: two plates, the spectral radius of a step") {
     struct Row {

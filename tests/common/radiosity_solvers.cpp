@@ -160,6 +160,10 @@ TEST_CASE("D18: k steps of Jacobi hold the light of fewer than k bounces") {
         for (const auto& radiosity : after(RelaxedJacobi(system), k))
             CHECK(radiosity.g == near(expected, 1e-14));
     }
+    for (const double rho : {0.5, 0.9, 0.99})
+        for (const int k : {1, 2, 7, 40})
+            CHECK(after(RelaxedJacobi(cube_of_faces(alike(6, rho, 1))), k)[3].r ==
+                  near((1 - std::pow(rho, k)) / (1 - rho), 1e-13));
 }
 
 TEST_CASE("D17: a closed sphere that is one patch takes one step, for the divisor is its own light") {
