@@ -85,15 +85,13 @@ inline void chart_solvers(course::Chapter& chapter) {
 }
 
 /// The residual is what a solver knows, and the error is what one wants to know.
-inline void chart_residuals(course::Chapter& chapter) {
-    auto chart =
-        chapter.chart("residuals", "A room of 96 patches, reflectance 0.99",
-                      {.x = "sweeps", .y = "relative residual, relative error", .log = course::axis::y});
-    const auto room  = lit_room(4, 0.99, chapter.options().threads);
+/// @param most  sweeps of Jacobi's method
+inline void chart_residuals(course::Chart chart, const RadiositySystem& room, int most) {
     const auto exact = direct_solution(room);
     const auto runs  = solver_runs(room);
-    for (const auto& [name, step, last] :
-         {std::tuple{"Jacobi", 8, 96}, {"Gauss-Seidel", 8, 96}, {"conjugate gradients", 1, 12}}) {
+    for (const auto& [name, step, last] : {std::tuple{"Jacobi", most / 12, most},
+                                           {"Gauss-Seidel", most / 12, most},
+                                           {"conjugate gradients", 1, 12}}) {
         const auto& run = *std::find_if(runs.begin(), runs.end(),
                                         [&, n = name](const SolverRun& r) { return r.name == n; });
         for (int sweeps = step; sweeps <= last; sweeps += step) {
@@ -103,7 +101,19 @@ inline void chart_residuals(course::Chapter& chapter) {
                       relative_size(residuals(room, found, 1), exact));
         }
     }
-    chart.caption("The residual as a share of the largest radiosity: it is small long before the error is.");
+}
+
+/// Against sweeps, in the three rooms.
+inline void chart_residuals(course::Chapter& chapter) {
+    const auto room = lit_room(4, 0.5, chapter.options().threads);
+    for (const auto& [name, rho, most] :
+         {std::tuple{"residuals", 0.99, 96}, {"residuals_dark", 0.5, 24}, {"residuals_middling", 0.9, 96}}) {
+        auto chart =
+            chapter.chart(name, fmt::format("A room of {} patches, reflectance {}", room.size(), rho),
+                          {.x = "sweeps", .y = "relative residual, relative error", .log = course::axis::y});
+        chart_residuals(chart, painted(room, rho), most);
+        chart.caption("The residual as a share of the largest radiosity.");
+    }
 }
 
 /// How many sweeps each solver takes to an error of a millionth, on a room that is always the same.
