@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <initializer_list>
 #include <map>
 #include <string>
 #include <tuple>
@@ -54,22 +55,24 @@ public:
         return n <= method.finest && solved_.contains({n, method.measured});
     }
 
-    [[nodiscard]] Estimate error(int n, const CubeMethod& method) const {
-        return relative_rms(
-            points_, values_at(points_, at(n, method.measured), method.within, options_.threads), exact_);
+    [[nodiscard]] Estimate error(int n, const CubeMethod& method, Part part = Part::everywhere) const {
+        const auto values = values_at(points_, at(n, method.measured), method.within, options_.threads);
+        return relative_rms(points_, values, exact_, part);
     }
 
     [[nodiscard]] double seconds(int n, Measured measured) const { return solved_.at({n, measured}).second; }
 
-    /// The power of the number of patches with which a method's error falls, from 24 of them on.
-    [[nodiscard]] Slope power(const CubeMethod& method) const {
+    /// The power of the number of patches with which a method's error falls, over some meshes.
+    [[nodiscard]] Slope power(const CubeMethod& method, std::initializer_list<int> meshes,
+                              Part part = Part::everywhere) const {
         std::vector<double> patches, errors;
-        for (const int n : {2, 3, 4, 6, 8}) {
+        for (const int n : meshes) {
             if (!has(n, method)) continue;
             patches.push_back(6.0 * n * n);
-            errors.push_back(error(n, method).value);
+            errors.push_back(error(n, method, part).value);
         }
-        return log_log_slope(patches, errors);
+        const Slope slope = log_log_slope(patches, errors);
+        return {-slope.value, slope.standard_error};
     }
 
 private:
@@ -101,15 +104,20 @@ inline void claim_means(course::Chapter& chapter, const CubeRace& race) {
                   {0.12787, fine + (fine - coarse) / 3, 5e-6});
 }
 
+inline void claim_power(course::Chapter& chapter, const std::string& of, const Slope& slope, double power,
+                        double error) {
+    const std::string what = "8.6 " + of + ": power with which the error falls";
+    chapter.claim(what, {power, slope.value, 0.005});
+    chapter.claim(what + ", standard error", {error, slope.standard_error, 0.005});
+}
+
 inline void claim_convergence(course::Chapter& chapter, const CubeRace& race) {
     course::Rows table{{"method", "power of the patches", "standard error"}};
     for (const auto& [method, power, error] : {std::tuple{0, 0.45, 0.01}, {1, 0.56, 0.02}, {4, 0.54, 0.01}}) {
         const auto& of    = cube_methods[std::size_t(method)];
-        const Slope slope = race.power(of);
-        table.add({of.name, -slope.value, slope.standard_error});
-        const std::string what = "8.6 " + of.name + ": power with which the error falls";
-        chapter.claim(what, {power, -slope.value, 0.005});
-        chapter.claim(what + ", standard error", {error, slope.standard_error, 0.005});
+        const Slope slope = race.power(of, {2, 3, 4, 6, 8});
+        table.add({of.name, slope.value, slope.standard_error});
+        claim_power(chapter, of.name, slope, power, error);
     }
     chapter.say(table);
     for (const auto& [n, constant, smooth, gathered] :
@@ -125,7 +133,34 @@ inline void claim_convergence(course::Chapter& chapter, const CubeRace& race) {
     }
 }
 
-/// The figure of section 8.6.
+/// The same in the room's corners and elsewhere: where the order is lost.
+inline void chart_corners(course::Chapter& chapter, const CubeRace& race) {
+    auto chart = chapter.chart(
+        "corners", "The same cube: error in its corners and elsewhere",
+        course::with_error(
+            {.x = "patches", .y = "relative error, root mean square", .log = course::axis::xy}));
+    struct Curve {
+        std::size_t method;
+        Part        part;
+        std::string name;
+        double      power, error;
+    };
+    for (const auto& [method, part, name, power, error] :
+         {Curve{2, Part::near_corners, "constant, near corners", 0.45, 0.02},
+          {2, Part::elsewhere, "constant, elsewhere", 0.51, 0.01},
+          {2, Part::along_edges, "constant, along edges", 0.53, 0.02},
+          {3, Part::near_corners, "interpolated, near corners", 0.44, 0.03},
+          {3, Part::elsewhere, "interpolated, elsewhere", 1.09, 0.02},
+          {3, Part::along_edges, "interpolated, along edges", 1.14, 0.04}}) {
+        const auto& of = cube_methods[method];
+        if (part != Part::along_edges)
+            for (const int n : {2, 3, 4, 6, 8, 12, 16}) chart.add(name, 6 * n * n, race.error(n, of, part));
+        claim_power(chapter, name, race.power(of, {4, 6, 8, 12, 16}, part), power, error);
+    }
+    chart.caption("Near is nearer than a quarter of an edge. As a share of the mean there.");
+}
+
+/// The figures of section 8.6.
 inline void chart_convergence(course::Chapter& chapter) {
     const CubeRace race(chapter.options());
     auto           chart = chapter.chart("convergence", "A cube of six reflectances: error against time",
@@ -144,6 +179,7 @@ inline void chart_convergence(course::Chapter& chapter) {
         "From 6 patches on, at 600 points, with standard errors. Gathering costs extra at each point.");
     claim_means(chapter, race);
     claim_convergence(chapter, race);
+    chart_corners(chapter, race);
 }
 
 }  // namespace sr

@@ -39,6 +39,24 @@ struct CubePoint {
     return points;
 }
 
+/// Where in a face: within 1/4 of a corner; not there; or not there, but within 1/10 of an edge.
+enum class Part { everywhere, near_corners, elsewhere, along_edges };
+
+[[nodiscard]] inline bool lies_in(Part part, const CubePoint& point) {
+    const double x = std::min(point.st.x, 1 - point.st.x), y = std::min(point.st.y, 1 - point.st.y);
+    const bool   near_corner = std::hypot(x, y) < 0.25;
+    switch (part) {
+        case Part::near_corners:
+            return near_corner;
+        case Part::elsewhere:
+            return !near_corner;
+        case Part::along_edges:
+            return !near_corner && std::min(x, y) < 0.1;
+        default:
+            return true;
+    }
+}
+
 using Values = std::vector<double>;
 
 /// Each point's radiosity: that of its patch, interpolated in it, or gathered from all patches.
@@ -78,11 +96,12 @@ enum class Within { constant, interpolated, gathered };
     return values;
 }
 
-/// The root of the mean square error over all faces, as a share of the mean radiosity.
+/// The root of the mean square error over a part of all faces, as a share of the mean radiosity there.
 [[nodiscard]] inline Estimate relative_rms(const std::vector<CubePoint>& points, const Values& values,
-                                           const Values& exact) {
+                                           const Values& exact, Part part) {
     Running squares, mean;
     for (std::size_t i = 0; i < points.size(); ++i) {
+        if (!lies_in(part, points[i])) continue;
         squares.add(points[i].weight * square(values[i] - exact[i]));
         mean.add(points[i].weight * exact[i]);
     }
