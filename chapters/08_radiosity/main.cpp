@@ -22,9 +22,11 @@
 #include "lost_light.hpp"
 #include "matrix_picture.hpp"
 #include "mesh_strip.hpp"
+#include "mirror_block.hpp"
 #include "own_scene.hpp"
 #include "relaxation_charts.hpp"
 #include "scaling_chart.hpp"
+#include "slivers.hpp"
 #include "solvers_chart.hpp"
 #include "surfaces_diagram.hpp"
 #include "touching_patches.hpp"
@@ -157,6 +159,7 @@ void failures(course::Chapter& chapter) {
     show_lost_light(chapter);
     chart_slivers(chapter);
     chart_sees_itself(chapter);
+    show_mirror_block(chapter);
     chart_fence(chapter);
 }
 
