@@ -52,7 +52,7 @@ inline void draw_links(course::Diagram diagram, const HierarchicalSolution& solu
                          {course::Ink::blue, course::Weight::thin});
 }
 
-/// Figure 8.30: the wall's links, level by level.
+/// Figure 8.32: the wall's links, level by level.
 inline void draw_link_levels(course::Diagram diagram) {
     const auto solution = linked_corner(2e-3);
     for (int level = 1; level <= 3; ++level) {

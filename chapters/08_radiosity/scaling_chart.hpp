@@ -59,7 +59,7 @@ inline std::vector<MeshCost> mesh_costs(const CornellMeshes& box, const Radiosit
     return costs;
 }
 
-/// Figures 8.32 and 8.33. The reference is gathered from the finer solution, or a still finer one.
+/// Figures 8.34 and 8.35. The reference is gathered from the finer solution, or a still finer one.
 inline void chart_scaling(course::Chapter& chapter, const CornellMeshes& box,
                           const HierarchicalSolution& finer) {
     const auto                     quality   = chapter.options().quality;
