@@ -130,4 +130,8 @@ TEST_CASE("a shadow finer than the mesh is not there, whatever the mesh; its mea
           near(1, 0.2));
     CHECK(fine.constant.value < 0.5);
     CHECK(mean_through_fence(10, visibility, 1) / mean_through_fence(40, visibility, 1) == near(1, 0.03));
+    // slats as wide as the gaps hide half of the lamp, in the mean
+    const Visibility nothing_hides{Mesh<double>{}};
+    CHECK(mean_through_fence(10, visibility, 1) / mean_through_fence(10, nothing_hides, 1) ==
+          near(0.5, 0.03));
 }
