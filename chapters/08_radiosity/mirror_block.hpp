@@ -76,7 +76,7 @@ inline void show_mirror_block(course::Chapter& chapter) {
     const auto look   = [&](const RadiosityAt& radiosity, int side, int rays) {
         return picture(view, camera(side), radiosity, rays, {threads});
     };
-    const int side = chapter.options().size / 2;
+    const int side = chapter.options().size;
     chapter.render("block_painted", "What radiosity makes of a mirror", "Grey that reflects as much.",
                    twice_as_bright(look(own, side, 3)));
     chapter.render("block_mirror", "Rays that end in the solution",
