@@ -90,8 +90,8 @@ inline void chart_slivers(course::Chapter& chapter) {
     const double worst = sliver_errors(1e-12).worst;
     chapter.claim("8.9 of slivers 1e-12 wide, the form factor is wrong by up to [%]",
                   {0.87, 100 * worst, 0.005});
-    chapter.claim("8.9 the same of their light, a share of a square's, times 1e15",
-                  {4.4, 1e15 * 1e-12 / 2 * worst, 0.05});
+    chapter.claim("8.9 the same of their light, as a share of a square's",
+                  {4.4e-15, 1e-12 / 2 * worst, 0.05e-15});
 }
 
 }  // namespace sr
