@@ -165,7 +165,7 @@ TEST_CASE("a patch is cut along another's surface, and what touches that is not"
     CHECK(square.parts_before(wall).size() == 1);
     CHECK(area_before(square, wall) == 1);
     CHECK(square.parts_before(wall.reversed()).empty());
-    // planes through (c, 0) and (0, c) of the floor, whose fronts look away from the origin: what is left has 5, 4, 3 corners
+    // planes through (c, 0) and (0, c) of the floor that look away from its corner: 3 to 5 corners are left
     const auto along = [](double c) { return Patch{{c, 0, 0}, {0, c, 0}, {0, c, 1}}; };
     for (const double c : {0.5, 0.25}) CHECK(area_before(square, along(c)) == near(1 - c * c / 2, 1e-14));
     CHECK(square.parts_before(along(0.5).reversed()).size() == 1);
