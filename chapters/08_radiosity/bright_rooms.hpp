@@ -20,16 +20,17 @@ inline void chart_towards_one(course::Chapter& chapter) {
     auto chart =
         chapter.chart("towards_one", "A cube of 24 patches: sweeps to a millionth of the error",
                       {.x = "what is absorbed, $1 - \\rho$", .y = "sweeps", .log = course::axis::xy});
-    const auto room = lit_room(2, 0.5, chapter.options().threads);
+    const auto        room       = lit_room(2, 0.5, chapter.options().threads);
+    const std::string lit_evenly = "$13.8 / (-\\ln\\rho)$";
     for (int i = 1; i <= 16; ++i) {
         const double absorbed  = std::pow(10.0, -i / 4.0);
         const auto   grey_room = painted(room, 1 - absorbed);
         const auto   exact     = direct_solution(grey_room);
         for (const auto& run : solver_runs(grey_room))
             if (run.name != "Southwell") chart.add(run.name, absorbed, run.sweeps_to_a_millionth(exact));
-        chart.add("$13.8 / (1 - \\rho)$", absorbed, 13.8 / absorbed);
+        chart.add(lit_evenly, absorbed, 13.8 / -std::log1p(-absorbed));
     }
-    chart.as_line("$13.8 / (1 - \\rho)$");
+    chart.as_line(lit_evenly);
     chart.caption("Ten times less is absorbed, and all but one of the solvers take ten times as long.");
 }
 

@@ -73,8 +73,8 @@ inline void chart_leaks(course::Chapter& chapter, const SolvedScene& box, const 
                                          {"interpolated, aligned", 0.7, 0.01}})
         chapter.claim(fmt::format("8.7 the floor before the block, {}: radiosity [W/m2]", name),
                       {B, chart.at(name, 288.5), digit / 2});
-    chapter.claim("8.7 the floor below the block, interpolated: radiosity [W/m2]",
-                  {0.12, chart.at("interpolated", 198.5), 0.005});
+    chapter.claim("8.7 the floor below the middle of the block, interpolated: radiosity [W/m2]",
+                  {0.10, chart.at("interpolated", 186.5), 0.005});
     chart.caption(
         "Between the two vertical lines the short block stands on the floor, and all light there is a leak.");
 }

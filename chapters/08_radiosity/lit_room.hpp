@@ -31,16 +31,23 @@ namespace sr {
     return room;
 }
 
-/// How wrong radiosities are: the root of their mean square difference over that of the exact ones, by area, in the
-/// first primary.
+/// Root of the mean square by area, in the first primary, as a share of that of `whole` [1].
+[[nodiscard]] inline double relative_rms(const RadiositySystem& system, const Radiosities& values,
+                                         const Radiosities& whole) {
+    double part = 0, all = 0;
+    for (std::size_t i = 0; i < whole.size(); ++i) {
+        part += system.area[i] * square(values[i].r);
+        all += system.area[i] * square(whole[i].r);
+    }
+    return std::sqrt(part / all);
+}
+
+/// How wrong radiosities are.
 [[nodiscard]] inline double relative_error(const RadiositySystem& system, const Radiosities& found,
                                            const Radiosities& exact) {
-    double wrong = 0, whole = 0;
-    for (std::size_t i = 0; i < exact.size(); ++i) {
-        wrong += system.area[i] * square(found[i].r - exact[i].r);
-        whole += system.area[i] * square(exact[i].r);
-    }
-    return std::sqrt(wrong / whole);
+    Radiosities wrong(exact.size());
+    for (std::size_t i = 0; i < exact.size(); ++i) wrong[i] = found[i] - exact[i];
+    return relative_rms(system, wrong, exact);
 }
 
 }  // namespace sr

@@ -84,9 +84,10 @@ inline void chart_solvers(course::Chapter& chapter) {
     }
 }
 
-/// The residual is what a solver knows, and the error is what one wants to know.
+/// The residual is what a solver knows, and the error is what one wants to know, both by relative_rms().
 /// @param most  sweeps of Jacobi's method
-inline void chart_residuals(course::Chart chart, const RadiositySystem& room, int most) {
+/// @return      Jacobi's error over its residual, after the last of them
+inline double chart_residuals(course::Chart& chart, const RadiositySystem& room, int most) {
     const auto exact = direct_solution(room);
     const auto runs  = solver_runs(room);
     for (const auto& [name, step, last] : {std::tuple{"Jacobi", most / 12, most},
@@ -98,21 +99,25 @@ inline void chart_residuals(course::Chart chart, const RadiositySystem& room, in
             const auto found = run.after(sweeps);
             chart.add(fmt::format("{}: error", name), sweeps, relative_error(room, found, exact));
             chart.add(fmt::format("{}: residual", name), sweeps,
-                      relative_size(residuals(room, found, 1), exact));
+                      relative_rms(room, residuals(room, found, 1), exact));
         }
     }
+    return chart.at("Jacobi: error", most) / chart.at("Jacobi: residual", most);
 }
 
 /// Against sweeps, in the three rooms.
 inline void chart_residuals(course::Chapter& chapter) {
     const auto room = lit_room(4, 0.5, chapter.options().threads);
-    for (const auto& [name, rho, most] :
-         {std::tuple{"residuals", 0.99, 96}, {"residuals_dark", 0.5, 24}, {"residuals_middling", 0.9, 96}}) {
+    for (const auto& [name, rho, most, larger] : {std::tuple{"residuals", 0.99, 96, 100.0},
+                                                  {"residuals_dark", 0.5, 24, 2.0},
+                                                  {"residuals_middling", 0.9, 96, 10.0}}) {
         auto chart =
             chapter.chart(name, fmt::format("A room of {} patches, reflectance {}", room.size(), rho),
                           {.x = "sweeps", .y = "relative residual, relative error", .log = course::axis::y});
-        chart_residuals(chart, painted(room, rho), most);
-        chart.caption("The residual as a share of the largest radiosity.");
+        const double ratio = chart_residuals(chart, painted(room, rho), most);
+        chapter.claim(fmt::format("8.5 reflectance {}, Jacobi: error over residual in the end", rho),
+                      {.expected = larger, .measured = ratio, .tolerance = larger / 2000});
+        chart.caption("Residual and error in one measure: root mean square, as a share of the radiosity's.");
     }
 }
 
