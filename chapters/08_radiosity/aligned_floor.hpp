@@ -28,6 +28,7 @@ inline void cut_around(const FloorQuad& outer, const FloorQuad& inner, const Pol
     };
     for (std::size_t i = 0; i < 4; ++i) {
         const std::size_t     j = (i + 1) % 4;
+        // between two sides, in two where a corner of the inner one turns inwards
         const Vector3<double> a = outer[i], b = outer[j], c = inner[j], d = inner[i];
         if (!turns_outwards(b, c, d)) {
             add({a, b, c});

@@ -50,6 +50,7 @@ Image<Spectrum> picture(const PatchView& view, const Camera<double>& camera, con
     Image<Spectrum> film(camera.width, camera.height);
     const auto      pixel = [&](int x, int y) {
         DoubleSpectrum sum;
+        // (8.24) over the pixel: L is B / pi of what is seen
         for (int k = 0; k < side * side; ++k) {
             const double right = (k % side + 0.5) / side, down = (k / side + 0.5) / side;
             if (const auto seen = view.seen(camera.ray({x + right, y + down}))) sum = sum + radiosity(*seen);
