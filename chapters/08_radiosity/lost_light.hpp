@@ -86,7 +86,7 @@ inline void show_lost_light(course::Chapter& chapter) {
     diagram.caption("Absorbed, and lost through the open side, of what the lamp of the Cornell box emits.");
     const Running sum = balance(box, threads);
     chapter.claim("8.9 what is absorbed and what leaves the box, together [%]", {100, 100 * sum.mean(), 0.5});
-    chapter.claim("8.9 its standard error, of rays [%]", {0.1, 100 * sum.standard_error(), 0.05});
+    chapter.claim("8.9 its standard error, of rays [%]", {0.2, 100 * sum.standard_error(), 0.05});
     chapter.claim("8.9 of the lamp's light, there leaves the box [%]", {31, 100 * gone.back(), 0.5});
 }
 
