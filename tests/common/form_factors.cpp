@@ -15,12 +15,15 @@
 #include <tuple>
 #include <vector>
 
+#include "../../chapters/08_radiosity/factor_methods.hpp"
 #include "../../chapters/08_radiosity/inside_of_a_cube.hpp"
 #include "geometry/sphere.hpp"
 #include "law.hpp"
+#include "math/extremes.hpp"
 #include "math/gauss_legendre.hpp"
 #include "math/square.hpp"
 #include "near.hpp"
+#include "patch_shapes.hpp"
 #include "radiometry/projected_solid_angle.hpp"
 #include "radiosity/closed_form_factors.hpp"
 #include "radiosity/closure.hpp"
@@ -33,27 +36,16 @@
 
 using namespace sr;
 using sr::test::check_law;
+using sr::test::grey;
+using sr::test::level;
 using sr::test::near;
+using sr::test::upright;
 
 namespace {
 
 using Point = Vector3<double>;
 
 constexpr double pi = std::numbers::pi;
-
-/// [0, a] x [0, b] at the height z, its front upwards.
-Patch level(double a, double b, double z = 0) {
-    return {{0, 0, z}, {a, 0, z}, {a, b, z}, {0, b, z}};
-}
-
-/// [0, b] x [0, h] in the plane x = 0, its front to +x.
-Patch upright(double b, double h) {
-    return {{0, 0, 0}, {0, b, 0}, {0, b, h}, {0, 0, h}};
-}
-
-Polygon grey(const Patch& shape) {
-    return {shape, {0.5, 0.5, 0.5}, {}, 0};
-}
 
 /// The unit cube from inside, each face cut into n x n.
 Patches cube(int n) {
@@ -132,16 +124,17 @@ TEST_CASE("C1-C3: the exchange area meets the closed forms to its tolerance") {
     for (const double tolerance : {0.01, 1e-3, 1e-4, 1e-6}) {
         CAPTURE(tolerance);
         for (const double c : {0.1, 1.0, 10.0})
-            CHECK(exchange_of(level(1, 1), level(1, 1, c).reversed(), tolerance) ==
+            CHECK(exchange_of(level_square(), level_square(c).reversed(), tolerance) ==
                   near(opposed_rectangles(1, 1, c), tolerance));
-        CHECK(exchange_of(level(1, 1), upright(1, 1), tolerance) == near(0.20004377607540315, tolerance));
+        CHECK(exchange_of(level_square(), upright_square(), tolerance) ==
+              near(0.20004377607540315, tolerance));
         CHECK(exchange_of(level(2, 1), upright(1, 3), tolerance) == near(0.16169401433302758, tolerance));
         CHECK(exchange_of(level(1, 2), upright(2, 0.5), tolerance) == near(0.16685539497330043, tolerance));
     }
 }
 
 TEST_CASE("C3: of a floor that goes on behind a wall, all is seen that is before it, however little") {
-    const Patch wall = upright(1, 1);  // not smaller than the floor, which is summed up
+    const Patch wall = upright_square();  // not smaller than the floor, which is summed up
     for (const double before : {0.01, 0.05, 0.3, 0.5, 0.95})
         for (const double tolerance : {0.01, 1e-3, 1e-4}) {
             CAPTURE(before);
@@ -161,7 +154,7 @@ TEST_CASE("a patch is cut along another's surface, and what touches that is not"
         }
         return sum;
     };
-    const Patch wall = upright(1, 1), square = level(1, 1), triangle{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    const Patch wall = upright_square(), square = level_square(), triangle{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
     CHECK(square.parts_before(wall).size() == 1);
     CHECK(area_before(square, wall) == 1);
     CHECK(square.parts_before(wall.reversed()).empty());
@@ -176,9 +169,9 @@ TEST_CASE("a patch is cut along another's surface, and what touches that is not"
 }
 
 TEST_CASE("what is not seen from before, or does not look here, has no exchange") {
-    CHECK(exchange_area(level(1, 1), level(1, 1, 1)) == 0);
-    CHECK(exchange_area(level(1, 1, 1), level(1, 1).reversed()) == 0);
-    CHECK(exchange_area(level(1, 1), level(2, 1)) == 0);
+    CHECK(exchange_area(level_square(), level_square(1)) == 0);
+    CHECK(exchange_area(level_square(1), level_square().reversed()) == 0);
+    CHECK(exchange_area(level_square(), level(2, 1)) == 0);
     const Patches    patches = cube(1);
     const Visibility visibility{mesh_of(patches).mesh};
     CHECK_THROWS_AS((void)form_factors(patches, visibility, {.tolerance = 0}), std::invalid_argument);
@@ -328,7 +321,8 @@ TEST_CASE("C20: squares as points") {
                                    {2.0, 0.16019753021792666},
                                    {5.0, 0.026476840920680862},
                                    {10.0, 0.0066545366365307754}})
-        CHECK(point_form_factor(level(1, 1), level(1, 1, c).reversed()) / opposed_rectangles(1, 1, c) - 1 ==
+        CHECK(point_form_factor(level_square(), level_square(c).reversed()) / opposed_rectangles(1, 1, c) -
+                  1 ==
               near(error, 1e-10));
 }
 
@@ -414,8 +408,8 @@ TEST_CASE(
 }
 
 TEST_CASE("what hides a part of a square from another hides as much of the form factor") {
-    const Patch   first = level(1, 1), second = level(1, 1, 1).reversed();
-    const Patch   between{{0.25, 0.25, 0.5}, {0.75, 0.25, 0.5}, {0.75, 0.75, 0.5}, {0.25, 0.75, 0.5}};
+    const Patch   first = level_square(), second = level_square(1).reversed();
+    const Patch   between = blocking_square();
     const Patches patches =
         cut(std::vector{grey(first), grey(second), grey(between), grey(between.reversed())}, 1);
     const Visibility visibility{mesh_of(patches).mesh};

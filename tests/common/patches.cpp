@@ -12,10 +12,15 @@
 #include <set>
 
 #include "near.hpp"
+#include "patch_shapes.hpp"
+#include "radiosity/exchange_area.hpp"
+#include "radiosity/vertex_radiosity.hpp"
 #include "radiosity/visibility.hpp"
+#include "refusal.hpp"
 #include "scene/cornell_box.hpp"
 
 using namespace sr;
+using sr::test::grey;
 using sr::test::near;
 
 namespace {
@@ -29,10 +34,6 @@ const Patch triangle{{0, 0, 0}, {3, 0, 0}, {0, 1.5, 0}};
 double area_of(const Patches& patches) {
     return std::accumulate(patches.shapes.begin(), patches.shapes.end(), 0.0,
                            [](double sum, const Patch& shape) { return sum + shape.area(); });
-}
-
-Polygon grey(const Patch& shape) {
-    return {shape, {0.5, 0.5, 0.5}, {}, 0};
 }
 
 /// The mean of x over points of a patch for u on a fine grid.
@@ -52,12 +53,7 @@ Scene square(double height = 0) {
 }
 
 std::string refusal(const Scene& scene) {
-    try {
-        (void)polygons_of(scene);
-    } catch (const std::invalid_argument& error) {
-        return error.what();
-    }
-    return "accepted";
+    return sr::test::refusal_of([&] { (void)polygons_of(scene); });
 }
 
 }  // namespace

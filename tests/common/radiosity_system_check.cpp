@@ -9,6 +9,7 @@
 
 #include "../../chapters/08_radiosity/known_systems.hpp"
 #include "radiosity/system_check.hpp"
+#include "refusal.hpp"
 
 using namespace sr;
 
@@ -17,12 +18,7 @@ namespace {
 using Sets = std::vector<std::vector<std::size_t>>;
 
 std::string refusal(const RadiositySystem& system, double tolerance = 1e-6) {
-    try {
-        check_system(system, tolerance);
-    } catch (const std::invalid_argument& error) {
-        return error.what();
-    }
-    return "accepted";
+    return sr::test::refusal_of([&] { check_system(system, tolerance); });
 }
 
 const RadiositySystem good = two_plates({0.5, 1}, {0.5, 0});

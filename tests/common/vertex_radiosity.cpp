@@ -10,9 +10,11 @@
 #include <limits>
 
 #include "near.hpp"
+#include "patch_shapes.hpp"
 #include "radiosity/corner_weights.hpp"
 
 using namespace sr;
+using sr::test::grey;
 using sr::test::near;
 
 namespace {
@@ -23,10 +25,6 @@ const Patch rectangle{{1, 2, 3}, {4, 2, 3}, {4, 4, 3}, {1, 4, 3}};
 const Patch trapezoid{{0, 0, 0}, {4, 0, 0}, {2, 1, 0}, {0, 1, 0}};
 const Patch narrow{{0, 0, 0}, {4, 0, 0}, {0.05, 3, 0}, {0, 1, 0}};
 const Patch triangle{{0, 0, 1}, {3, 1, 0}, {0, 1.5, 2}};
-
-Polygon grey(const Patch& shape) {
-    return {shape, {0.5, 0.5, 0.5}, {}, 0};
-}
 
 DoubleSpectrum linear(const Point& p) {
     return {20 + p.x - 2 * p.y + p.z, 30 - 3 * p.x, 7};

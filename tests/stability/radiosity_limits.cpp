@@ -19,6 +19,7 @@
 #include "../../chapters/08_radiosity/slivers.hpp"
 #include "near.hpp"
 #include "radiosity/system_check.hpp"
+#include "refusal.hpp"
 
 using namespace sr;
 using sr::test::near;
@@ -26,12 +27,7 @@ using sr::test::near;
 namespace {
 
 std::string refusal(const RadiositySystem& system) {
-    try {
-        check_system(system);
-    } catch (const std::invalid_argument& error) {
-        return error.what();
-    }
-    return "accepted";
+    return sr::test::refusal_of([&] { check_system(system); });
 }
 
 /// Standard error of a balance, in patches of 250 mm: of its rays, and of the rays in the form factors, whose visible
