@@ -56,7 +56,8 @@ double refined(const Patch& from, const Patch& to, double fine, double allowed, 
         return fine;
     double sum = 0;
     for (const auto& quarter : from.quarters())
-        sum += refined(quarter, to, by_rule(quarter, to, three_points), allowed / 2, quarterings - 1);
+        if (quarter.area() > 0)  // of a sliver, corners may round to a line
+            sum += refined(quarter, to, by_rule(quarter, to, three_points), allowed / 2, quarterings - 1);
     return sum;
 }
 

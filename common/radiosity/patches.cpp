@@ -8,6 +8,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "geometry/triangle.hpp"
+
 namespace sr {
 namespace {
 
@@ -66,11 +68,15 @@ private:
             }
     }
 
+    /// Adds a piece, unless its corners have rounded to a line.
     void add(const Polygon& polygon, const Patches::Corners& corners) {
         const auto& [a, b, c, d] = corners;
         const auto& v            = patches_.vertices;
+        const bool  three        = c == d;
+        if (!(area<double>({v[a], v[b], v[c]}) + area<double>({v[a], v[c], v[d]}) > 0)) return;
+        if (!three && !make_a_quadrilateral({v[a], v[b], v[c], v[d]})) return;
         patches_.corners.push_back(corners);
-        patches_.shapes.push_back(c == d ? Patch{v[a], v[b], v[c]} : Patch{v[a], v[b], v[c], v[d]});
+        patches_.shapes.push_back(three ? Patch{v[a], v[b], v[c]} : Patch{v[a], v[b], v[c], v[d]});
         patches_.reflectance.push_back(polygon.reflectance);
         patches_.emission.push_back(polygon.emission);
         patches_.polygon.push_back(polygons_);

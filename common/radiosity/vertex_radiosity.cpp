@@ -94,6 +94,10 @@ Radiosities vertex_radiosities(const Patches& patches, const Radiosities& radios
     const auto  touching = patches_at_vertices(patches);
     Radiosities values;
     for (std::size_t vertex = 0; vertex < patches.vertices.size(); ++vertex) {
+        if (touching[vertex].empty()) {  // of a piece that had no area
+            values.push_back({});
+            continue;
+        }
         const auto&          point = patches.vertices[vertex];
         const DoubleSpectrum B =
             is_surrounded(patches, touching[vertex], point)

@@ -11,6 +11,7 @@
 #include <numeric>
 #include <set>
 
+#include "../../chapters/08_radiosity/slivers.hpp"
 #include "near.hpp"
 #include "patch_shapes.hpp"
 #include "radiosity/exchange_area.hpp"
@@ -169,6 +170,37 @@ TEST_CASE("patches share their vertices with their neighbours, and their triangl
     const Patches four = cut(std::vector{grey(Patch{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}})}, 0.5);
     CHECK(four.size() == 4);
     CHECK(four.vertices.size() == 9);
+}
+
+TEST_CASE(
+    "of slivers as narrow as their corners' rounding, pieces with an area are patches, and others none") {
+    const auto wall_over = [](const Sliver& sliver) {
+        const auto at = [&](double t, double z) { return sliver.centre + sliver.frame.to_world({0, t, z}); };
+        return Patch{at(-1, -1), at(1, -1), at(1, 1), at(-1, 1)};
+    };
+    int left_out = 0;
+    for (const double width : {1e-12, 1e-13, 3e-14, 1e-14})
+        for (int k = 0; k < 50; ++k) {
+            CAPTURE(width);
+            CAPTURE(k);
+            const Sliver sliver = any_sliver(k);
+            const auto   at     = [&](double s, double t) {
+                return sliver.centre + sliver.frame.to_world({s, width * t, 0});
+            };
+            Scene scene         = square();
+            scene.mesh.vertices = {at(0, 0), at(1, 0), at(1, 1), at(0, 1)};
+            const auto    both  = polygons_of(scene, Sides::both);
+            const Patches whole = cut(both, 2), cut_small = cut(both, 0.3);
+            for (const auto& shape : whole.shapes)  // to a wall over its end, where it is quartered
+                CHECK(std::isfinite(exchange_area(shape, wall_over(sliver))));
+            for (const auto& B : vertex_radiosities(cut_small, Radiosities(cut_small.size(), {1, 2, 3})))
+                CHECK(is_finite(B));
+            std::size_t pieces = 0;
+            for (const auto& polygon : both) pieces += polygon.shape.corners().size() == 3 ? 16 : 4;
+            CHECK(cut_small.size() <= pieces);
+            if (cut_small.size() < pieces) ++left_out;
+        }
+    CHECK(left_out > 50);
 }
 
 TEST_CASE("two triangles are one quadrilateral if they are flat; else they stay two") {
