@@ -217,6 +217,22 @@ TEST_CASE("two triangles are one quadrilateral if they are flat; else they stay 
     dart.mesh.faces       = {{3, 0, 1}, {3, 1, 2}};
     CHECK(polygons_of(dart).size() == 2);
 
+    Scene two_colours            = square();
+    two_colours.materials        = {diffuse_material("red", {0.5F, 0, 0}, {}),
+                                    diffuse_material("blue", {0, 0, 0.5F}, {})};
+    two_colours.material_of_face = {0, 1};
+    const auto halves            = polygons_of(two_colours);
+    REQUIRE(halves.size() == 2);
+    CHECK(halves[0].reflectance == DoubleSpectrum{0.5, 0, 0});
+    CHECK(halves[1].reflectance == DoubleSpectrum{0, 0, 0.5});
+
+    Scene part = square();  // the second triangle is half of what would make the first one a square
+    part.mesh.vertices.push_back({0.5, 1, 0});
+    part.mesh.faces       = {{0, 1, 2}, {0, 4, 3}};
+    const auto with_a_gap = polygons_of(part);
+    REQUIRE(with_a_gap.size() == 2);
+    CHECK(with_a_gap[1].shape.area() == near(0.25, 1e-15));
+
     const auto both = polygons_of(square(), Sides::both);
     REQUIRE(both.size() == 2);
     CHECK(both[1].shape.normal() == Point{0, 0, -1});
@@ -243,6 +259,11 @@ TEST_CASE("faces without an area are left out, and what radiosity can't do is re
     Scene mirror     = square();
     mirror.materials = {{"chrome", LobeSum<float>{{{{0.5F, 0.5F, 0.5F}, Mirror<float>{}}}}}};
     CHECK(refusal(mirror).find("material 'chrome' is not diffuse") == 0);
+    Scene dull     = square();  // a lobe that reflects nothing may be anything
+    dull.materials = {
+        {"paint", LobeSum<float>{{{{0, 0, 0}, Mirror<float>{}}, {{0.5F, 0.5F, 0.5F}, Diffuse<float>{}}}}}};
+    CHECK(refusal(dull) == "accepted");
+    CHECK(polygons_of(dull)[0].reflectance == DoubleSpectrum{0.5, 0.5, 0.5});
     Scene ball = square();
     ball.balls.push_back({{{0, 0, 1}, 0.5}, 0});
     CHECK(refusal(ball).find("has balls") != std::string::npos);
