@@ -145,6 +145,28 @@ TEST_CASE("C3: of a floor that goes on behind a wall, all is seen that is before
         }
 }
 
+TEST_CASE(
+    "patches of the Cornell box by whose edge rules of two and three points agree, both wrong, keep the "
+    "tolerance") {
+    const std::pair<Patch, Patch> pairs[] = {
+        {{{552.34285714285714, 235.2, 559.2},
+          {552.8, 235.2, 479.31428571428575},
+          {551.88571428571427, 156.8, 479.31428571428575}},
+         {{550.88, 109.76, 559.2},
+          {440.704, 109.76, 559.2},
+          {441.728, 219.52, 559.2},
+          {552.16, 219.52, 559.2}}},
+        {{{555.54285714285714, 470.4, 479.31428571428575},
+          {556, 548.8, 559.2},
+          {556, 548.8, 479.31428571428575}},
+         {{554.72, 439.04, 559.2}, {443.776, 439.04, 559.2}, {444.8, 548.8, 559.2}, {556, 548.8, 559.2}}}};
+    for (const auto& [small, large] : pairs) {
+        double exact = 0;  // summed up over the other one: its pieces are the smaller ones
+        for (const Patch& piece : pieces_of(large, 8)) exact += exchange_area(piece, small, 1e-6);
+        CHECK(exchange_area(small, large, 1e-3) == near(exact, 1e-3));
+    }
+}
+
 TEST_CASE("a patch is cut along another's surface, and what touches that is not") {
     const auto area_before = [](const Patch& patch, const Patch& other) {
         double sum = 0;
