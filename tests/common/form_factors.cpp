@@ -224,6 +224,33 @@ TEST_CASE(
     }
 }
 
+TEST_CASE(
+    "of patches of any area with others between them, reciprocity is exact, and threads change nothing") {
+    auto polygons = inside_of_a_box({1, 2, 3});
+    for (const auto& shape : {blocking_square(), blocking_square().reversed()})
+        polygons.push_back(grey(shape));
+    const Patches    patches = cut(polygons, 0.7);
+    const Visibility visibility{mesh_of(patches).mesh};
+    const auto       F        = form_factors(patches, visibility, {}, {.threads = 1});
+    double           lopsided = 0;
+    int              unequal = 0, partly_hidden = 0;
+    for (std::size_t i = 0; i < F.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j) {
+            const Patch &p = patches.shapes[i], &q = patches.shapes[j];
+            const double there = p.area() * F(i, j), back = q.area() * F(j, i), open = exchange_area(p, q);
+            lopsided = max_or_nan(lopsided, std::abs(there - back) / std::max(there, 1e-300));
+            if (there > 0 && p.area() > 1.1 * q.area()) ++unequal;
+            if (there > 0 && there < 0.99 * open) ++partly_hidden;
+        }
+    CHECK(lopsided <= 4e-16);  // two roundings on either side
+    CHECK(unequal > 100);
+    CHECK(partly_hidden > 100);
+    for (const int threads : {2, 7}) {
+        const auto again = form_factors(patches, visibility, {}, {.threads = threads});
+        for (std::size_t i = 0; i < F.size(); ++i) CHECK(std::ranges::equal(F.row(i), again.row(i)));
+    }
+}
+
 TEST_CASE("from a point of a wall no piece of that wall is seen, however its corners are rounded") {
     for (const int n : {3, 5, 6, 7, 12}) {
         const Patches patches = cube(n);
