@@ -451,9 +451,34 @@ TEST_CASE(
         CHECK(std::accumulate(row.begin(), row.end(), 0.0) == near(1, 1e-12));
         CHECK(row[0] == 0);
         CHECK(row[1] == near(from_middle, error));
+        for (std::size_t j = 2; j < 6; ++j) CHECK(row[j] == near((1 - from_middle) / 4, error));
     }
     CHECK_THROWS_AS((void)Hemicube(patches, 5), std::invalid_argument);
     CHECK_THROWS_AS((void)Hemicube(patches, 0), std::invalid_argument);
+}
+
+TEST_CASE("in a low room, where a hemicube's sides see the ceiling too, each face is as the contour says") {
+    const Patches  patches = cut(inside_of_a_box({1, 0.8, 0.25}), 1);
+    const Hemicube hemicube(patches, 256);
+    for (std::size_t i = 0; i < 6; ++i) {
+        const Patch& from = patches.shapes[i];
+        const auto   row  = hemicube.row(i);
+        for (std::size_t j = 0; j < 6; ++j) {
+            if (j == i) continue;
+            CAPTURE(i);
+            CAPTURE(j);
+            CHECK(row[j] == near(contour_form_factor(from.centre(), from.normal(), patches.shapes[j]), 0.01));
+        }
+    }
+}
+
+TEST_CASE("rays and pixels that meet a patch from behind are lost") {
+    const Patches patches = cut(std::vector{grey(level_square()), grey(level_square(1))}, 1);  // both look up
+    Rng           rng{5, 0, 0, 0};
+    for (const auto& row : {CosineRays(patches).row(0, 16, rng), Hemicube(patches, 16).row(0)}) {
+        CHECK(row[0] == 0);
+        CHECK(row[1] == 0);
+    }
 }
 
 TEST_CASE("what hides a part of a square from another hides as much of the form factor") {
