@@ -5,11 +5,14 @@
 
 #include <map>
 #include <memory>
+#include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "course/csv.hpp"
+#include "course/style.hpp"
 #include "statistics/estimate.hpp"
 
 namespace sr::course {
@@ -43,10 +46,12 @@ struct Axes {
 ///     chapter.chart("lost", "Rays that are lost", with_error({.x = "radius", .y = "lost [%]"}))
 [[nodiscard]] Axes with_error(Axes axes);
 
-/// A vertical line with a name, such as where two curves cross.
+/// A vertical line with a name, such as where two curves cross; or a shaded band, up to `to`.
 struct MarkedX {
-    double      x;
-    std::string label;
+    double                x;
+    std::string           label;
+    Ink                   ink = Ink::grey;
+    std::optional<double> to  = {};
 };
 
 /// How a curve is drawn.
@@ -61,6 +66,8 @@ struct ChartData {
     std::string                   caption = {};  ///< TeX; the claim that was measured
     std::vector<MarkedX>          marked  = {};
     std::map<std::string, Stroke> strokes = {};
+    std::map<std::string, Ink>    inks    = {};  ///< of curves that don't take theirs in turn
+    std::set<std::string>         dashed  = {};
 };
 
 /// Handle of a chart; copies fill the same chart.
@@ -91,7 +98,18 @@ public:
     /// Draws a curve as points without a line, with their bars: what is measured beside a closed form.
     void as_points(std::string series) { data_->strokes[std::move(series)] = Stroke::points; }
 
-    void mark_x(double x, std::string label) { data_->marked.push_back({x, std::move(label)}); }
+    /// Gives a curve its colour, the same on all charts that show it. Without it, the n-th curve has the n-th Ink.
+    void in_ink(std::string series, Ink ink) { data_->inks[std::move(series)] = ink; }
+    /// Dashes a curve's line: what belongs to another one of the same colour.
+    void as_dashed(std::string series) { data_->dashed.insert(std::move(series)); }
+
+    void mark_x(double x, std::string label, Ink ink = Ink::grey) {
+        data_->marked.push_back({x, std::move(label), ink});
+    }
+    /// Shades all between two x, with a name inside.
+    void mark_band(double from, double to, std::string label) {
+        data_->marked.push_back({from, std::move(label), Ink::grey, to});
+    }
 
     [[nodiscard]] const ChartData& data() const { return *data_; }
 

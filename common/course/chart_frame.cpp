@@ -110,7 +110,10 @@ Extent x_extent(const ChartData& chart, const std::vector<Curve>& curves) {
     Extent extent;
     for (const Curve& curve : curves)
         for (const Point& p : curve.points) extent.include(p.x, is_log(chart, axis::x));
-    for (const MarkedX& mark : chart.marked) extent.include(mark.x, is_log(chart, axis::x));
+    for (const MarkedX& mark : chart.marked) {
+        extent.include(mark.x, is_log(chart, axis::x));
+        extent.include(mark.to.value_or(mark.x), is_log(chart, axis::x));
+    }
     return extent;
 }
 
@@ -137,12 +140,21 @@ Stroke stroke_of(const ChartData& chart, const std::string& series) {
     return found == chart.strokes.end() ? Stroke::line_and_points : found->second;
 }
 
+Ink ink_of(const ChartData& chart, const std::string& series, std::size_t turn) {
+    const auto found = chart.inks.find(series);
+    return found == chart.inks.end() ? static_cast<Ink>(turn % inks) : found->second;
+}
+
 /// @throws std::invalid_argument where a curve was to be drawn in a way of its own, but has no row
-void check_strokes(const ChartData& chart, const std::vector<Curve>& all) {
-    for (const auto& [series, stroke] : chart.strokes)
+void check_styles(const ChartData& chart, const std::vector<Curve>& all) {
+    const auto check = [&](const std::string& series, const char* way) {
         if (std::ranges::find(all, series, &Curve::name) == all.end())
             throw std::invalid_argument(
-                fmt::format("chart {}: no curve {} to draw as a line or as points", chart.name, series));
+                fmt::format("chart {}: no curve {} to draw {}", chart.name, series, way));
+    };
+    for (const auto& [series, stroke] : chart.strokes) check(series, "as a line or as points");
+    for (const auto& [series, ink] : chart.inks) check(series, "in a colour of its own");
+    for (const auto& series : chart.dashed) check(series, "dashed");
 }
 
 /// In the words of the note under the chart, for a curve of which no point can be drawn.
@@ -193,16 +205,27 @@ public:
         }
     }
 
+    /// All lines first, so that no name stands on any.
+    void at_marks(const std::vector<MarkedX>& marks) {
+        for (const MarkedX& mark : marks)
+            if (!mark.to)
+                obstacles_.curves.push_back(
+                    {{frame_.x(mark.x), frame_.y.from}, {frame_.x(mark.x), frame_.y.to}});
+        for (const MarkedX& mark : marks) at_mark(mark);
+    }
+
     void at_mark(const MarkedX& mark) {
         const TextBlock    block{mark.label};
         const double       x = frame_.x(mark.x);
         std::vector<Point> places;
         const double       half_line = line_height(label_size) / 2;  // below the topmost grid line
         for (double y = frame_.y.to - half_line - block.height() / 2; y > frame_.y.from; y -= half_line)
-            places.insert(places.end(), {{x + 6, y}, {x - 6 - block.width, y}});
+            if (mark.to)
+                places.push_back({(x + frame_.x(*mark.to) - block.width) / 2, y});
+            else
+                places.insert(places.end(), {{x + 6, y}, {x - 6 - block.width, y}});
         const auto covered = [&](Point left) { return cost(block.at(left)); };
-        put(block, *std::ranges::min_element(places, {}, covered), Ink::grey);
-        obstacles_.curves.push_back({{x, frame_.y.from}, {x, frame_.y.to}});
+        put(block, *std::ranges::min_element(places, {}, covered), mark.ink);
     }
 
     // Where the label of a curve may stand; of each, whether it covers nothing there, and is placed.
@@ -332,7 +355,7 @@ void place_labels(Frame& frame, const ChartData& chart, const std::vector<Curve>
         frame.x.to = Canvas::width - (widest > 0 ? widest + 1.5 * label_gap : 24);
         Labeller labeller{frame, curves};
         labeller.in_margin(in_margin);
-        for (const MarkedX& mark : chart.marked) labeller.at_mark(mark);
+        labeller.at_marks(chart.marked);
         std::vector<const Curve*> waiting = inside;  // for those that take the best places first
         for (const auto place : {&Labeller::right_of_end, &Labeller::beside, &Labeller::around_end})
             std::erase_if(waiting, [&](const Curve* curve) { return (labeller.*place)(*curve); });
@@ -357,10 +380,11 @@ Curves curves_of(const ChartData& chart, const Rows& grouped) {
     const std::size_t  y      = grouped.column(chart.axes.columns.y);
     std::vector<Curve> all;
     for (std::size_t i = 0; i < grouped.rows.size(); ++i) {
-        const auto& row = grouped.rows[i];
-        if (all.empty() || all.back().name != row[series].text())
-            all.push_back({row[series].text(), static_cast<Ink>(all.size() % inks), i, i,
-                           stroke_of(chart, row[series].text())});
+        const auto&        row  = grouped.rows[i];
+        const std::string& name = row[series].text();
+        if (all.empty() || all.back().name != name)
+            all.push_back({name, ink_of(chart, name, all.size()), i, i, stroke_of(chart, name),
+                           chart.dashed.contains(name)});
         all.back().last_row = i;
         const Point p{row[x].number(), row[y].number()};
         const bool  gap = !row[y].is_number();
@@ -371,7 +395,7 @@ Curves curves_of(const ChartData& chart, const Rows& grouped) {
         if (const auto bar = bar_of(chart, row)) all.back().bars.push_back(*bar);
     }
     if (all.empty()) throw std::invalid_argument(fmt::format("chart {}: it has no rows", chart.name));
-    check_strokes(chart, all);
+    check_styles(chart, all);
 
     if (is_log(chart, axis::y) && !has_positive(all)) {  // 0 has no place where no other number gives one
         for (Curve& curve : all) curve.points.clear();

@@ -27,6 +27,7 @@ struct Curve {
     std::size_t        first_row;
     std::size_t        last_row;
     Stroke             stroke;
+    bool               dashed = false;
     std::vector<Bar>   bars   = {};
     std::vector<Point> points = {};  ///< what its axes can show: no gap, nothing negative where logarithmic
 };

@@ -115,6 +115,18 @@ std::string texts_of(const ChartData& chart, const Frame& frame, const Dialect& 
     return script;
 }
 
+std::string mark_of(const MarkedX& mark) {
+    if (mark.to)
+        return fmt::format(
+            "set object rectangle from first {:.10g}, graph 0 to first {:.10g}, graph 1 behind "
+            "fillcolor rgb '#ececec' fillstyle solid noborder\n",
+            mark.x, *mark.to);
+    return fmt::format(
+        "set arrow from first {0:.10g}, graph 0 to first {0:.10g}, graph 1 nohead back "
+        "dashtype 2 linewidth 1.5 linecolor rgb '{1}'\n",
+        mark.x, hex(mark.ink));
+}
+
 /// In gnuplot's words.
 std::string_view words_of(Stroke stroke) {
     switch (stroke) {
@@ -158,8 +170,8 @@ std::string plot_of(const ChartData& chart, const Curve& curve, const Frame& fra
     }
     const std::string height =
         frame.y.shows_zero() ? fmt::format("(${0}==0?{1:.10g}:${0})", y, frame.y.zero()) : std::to_string(y);
-    return plot + fmt::format("{} using {}:{} {} with {} linecolor rgb '{}'", data, x, height, title,
-                              words_of(curve.stroke), hex(curve.ink));
+    return plot + fmt::format("{} using {}:{} {} with {} dashtype {} linecolor rgb '{}'", data, x, height,
+                              title, words_of(curve.stroke), curve.dashed ? 2 : 1, hex(curve.ink));
 }
 
 }  // namespace
@@ -169,11 +181,7 @@ std::string chart_script(const ChartData& chart, const std::filesystem::path& cs
     const Frame   frame  = lay_out(chart, curves);
     const Dialect dialect{format};
     std::string   script = frame_of(frame, dialect) + texts_of(chart, frame, dialect);
-    for (const MarkedX& mark : chart.marked)
-        script += fmt::format(
-            "set arrow from first {0:.10g}, graph 0 to first {0:.10g}, graph 1 nohead back "
-            "dashtype 2 linewidth 1.5 linecolor rgb '{1}'\n",
-            mark.x, hex(Ink::grey));
+    for (const MarkedX& mark : chart.marked) script += mark_of(mark);
     std::vector<std::string> plots;
     for (const Curve& curve : curves.shown)
         plots.push_back(plot_of(chart, curve, frame, dialect, gnuplot_string(csv.string())));

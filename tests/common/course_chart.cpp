@@ -269,6 +269,58 @@ TEST_CASE("a closed form is a line without points, and what is measured are poin
                          std::invalid_argument);
 }
 
+TEST_CASE("a curve has the colour that it is given, on any chart, and a dashed one belongs to another") {
+    Chart chart{"c", "t", {.x = "x", .y = "y"}};
+    for (const char* curve : {"first", "second", "third"})
+        for (const double x : {1.0, 2.0}) chart.add(curve, x, x);
+    chart.in_ink("third", Ink::blue);
+    chart.as_dashed("third");
+    const auto curves = curves_of(chart.data(), grouped_by_series(chart.data())).shown;
+    REQUIRE(curves.size() == 3);
+    CHECK(curves[0].ink == Ink::blue);  // the first Ink
+    CHECK(curves[1].ink == Ink::vermilion);
+    CHECK(curves[2].ink == Ink::blue);  // and not green, which is the third
+    const std::string script = chart_script(chart.data(), "c.csv", "svg");
+    const auto        dashes = script.find("dashtype 2");
+    REQUIRE(dashes != std::string::npos);
+    CHECK(script.find("title 'third' with linespoints") < dashes);
+    CHECK(script.rfind("dashtype 2") == dashes);  // of the third alone
+
+    chart.in_ink("thrid", Ink::blue);
+    CHECK_THROWS_WITH_AS((void)laid_out(chart), "chart c: no curve thrid to draw in a colour of its own",
+                         std::invalid_argument);
+}
+
+TEST_CASE("a band is shaded from one x to the other, and named inside") {
+    Chart chart{"c", "t", {.x = "x", .y = "y"}};
+    chart.add("a", 0, 0);
+    chart.add("a", 10, 1);
+    chart.mark_band(4, 8, "band");
+    const Frame frame = laid_out(chart);
+    REQUIRE(frame.labels.size() == 2);
+    CHECK(frame.labels.back().at.x > frame.x(4));
+    CHECK(frame.labels.back().at.x + text_width("band", FontSize::normal) < frame.x(8));
+    CHECK(chart_script(chart.data(), "c.csv", "svg").find("from first 4, graph 0 to first 8, graph 1") !=
+          std::string::npos);
+}
+
+TEST_CASE("the name of a vertical line stands on none of them, also not on one that is marked later") {
+    Chart chart{"c", "t", {.x = "x", .y = "y"}};
+    chart.add("a", 0, 0);
+    chart.add("a", 10, 0);
+    for (const double x : {5.0, 5.25}) chart.mark_x(x, "bound");
+    const Frame frame = laid_out(chart);
+    int         names = 0;
+    for (const PlacedLabel& label : frame.labels) {
+        if (label.lines != std::vector<std::string>{"bound"}) continue;
+        ++names;
+        for (const double x : {5.0, 5.25})
+            CHECK(
+                (frame.x(x) < label.at.x || frame.x(x) > label.at.x + text_width("bound", FontSize::normal)));
+    }
+    CHECK(names == 2);
+}
+
 TEST_CASE("a logarithmic axis shows 0 below its numbers, and names under the chart what it can't show") {
     Chart chart{"c", "t", {.x = "x", .y = "y", .log = axis::y}};
     for (const double x : {1.0, 2.0}) {
