@@ -27,10 +27,14 @@ inline void chart_towards_one(course::Chapter& chapter) {
         const auto   grey_room = painted(room, 1 - absorbed);
         const auto   exact     = direct_solution(grey_room);
         for (const auto& run : solver_runs(grey_room))
-            if (run.name != "Southwell") chart.add(run.name, absorbed, run.sweeps_to_a_millionth(exact));
+            if (run.name != "Southwell") {
+                chart.add(run.name, absorbed, run.sweeps_to_a_millionth(exact));
+                chart.in_ink(run.name, ink_of_solver(run.name));
+            }
         chart.add(lit_evenly, absorbed, 13.8 / -std::log1p(-absorbed));
     }
     chart.as_line(lit_evenly);
+    chart.in_ink(lit_evenly, course::Ink::grey);
     chart.caption("Ten times less is absorbed, and all but one of the solvers take ten times as long.");
 }
 
@@ -63,7 +67,9 @@ inline void chart_stagnation(course::Chapter& chapter) {
                   error(refined_furnace(float(rho)).radiosity, double(float(rho))));
         if (i <= 16) chart.add("double", 1 - rho, error(furnace(rho).radiosity, rho));
     }
-    chart.caption("Each is compared with the exact solution for the reflectance as its type rounds it.");
+    chart.caption(
+        "Each is compared with the exact solution for the reflectance as its type rounds it. Of double, what "
+        "takes millions of steps is left out.");
 }
 
 /// The same in numbers, with the solution for the reflectance that a float can hold.

@@ -96,6 +96,7 @@ private:
         constexpr double rounding = 1e-16;
         chart.row(
             {series, point.effort, point.seconds, std::max(point.error.value, rounding), point.error.se});
+        chart.in_ink(series, ink_of_method(point.method));
     }
 
     std::vector<Point> points_;

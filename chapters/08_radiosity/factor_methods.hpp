@@ -4,9 +4,12 @@
 
 #include <cmath>
 #include <functional>
+#include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "course/style.hpp"
 #include "math/square.hpp"
 #include "radiosity/cosine_rays.hpp"
 #include "radiosity/exchange_area.hpp"
@@ -43,6 +46,21 @@ using PieceFactor = double (*)(const Patch& from, const Patch& to);
     const auto these = pieces_of(from, n);
     for (const Patch& a : these) sum += contour_form_factor(a.centre(), a.normal(), to);
     return sum / double(these.size());
+}
+
+/// A method's colour, the same on all charts.
+[[nodiscard]] inline course::Ink ink_of_method(std::string_view method) {
+    using course::Ink;
+    static const std::map<std::string_view, Ink> inks{
+        {"points", Ink::blue},
+        {"disks", Ink::vermilion},
+        {"contour", Ink::green},
+        {"contour, adaptive", Ink::purple},
+        {"contour and rays", Ink::purple},  // the same, times a share
+        {"random pairs", Ink::amber},
+        {"cosine rays", Ink::black},
+        {"hemicube", Ink::sky}};
+    return inks.at(method);
 }
 
 /// A method, with more effort or less.

@@ -3,9 +3,12 @@
 /// All solvers under one roof, to be compared.
 
 #include <functional>
+#include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "course/style.hpp"
 #include "lit_room.hpp"
 #include "radiosity/conjugate_gradients.hpp"
 #include "radiosity/gauss_seidel.hpp"
@@ -14,6 +17,15 @@
 #include "radiosity/southwell.hpp"
 
 namespace sr {
+
+/// A solver's colour, the same on all charts.
+[[nodiscard]] inline course::Ink ink_of_solver(std::string_view solver) {
+    using course::Ink;
+    static const std::map<std::string_view, Ink> inks{
+        {"direct", Ink::blue},      {"Jacobi", Ink::vermilion}, {"Gauss-Seidel", Ink::green},
+        {"Southwell", Ink::purple}, {"shooting", Ink::amber},   {"conjugate gradients", Ink::black}};
+    return inks.at(solver);
+}
 
 /// A solver in sweeps: as much work as one look at all of F.
 struct SolverRun {

@@ -58,6 +58,7 @@ private:
         const double error    = std::max(rounding, relative_error(room_, point.found, exact_));
         const double residual = relative_size(residuals(room_, point.found, 1), room_.emission);
         chart_.row({time.name, point.sweeps, time.seconds, error, 0.0, residual, room_.reflectance[0].r});
+        chart_.in_ink(time.name, ink_of_solver(time.name));
     }
 
     course::Chart          chart_;
@@ -79,8 +80,12 @@ inline void chart_solvers(course::Chapter& chapter) {
                            .log     = course::axis::xy,
                            .columns = course::speed_accuracy({"residual", "reflectance"})});
         const auto grey_room = painted(room, rho);
-        SolverRace(chart, grey_room, draft ? 64 : 256).run(draft ? 1 : 3);
-        chart.caption("After 1, 2, 4, ... sweeps, each as much work as one product with $F$.");
+        const int  most      = draft ? 64 : 256;
+        SolverRace(chart, grey_room, most).run(draft ? 1 : 3);
+        chart.caption(fmt::format(
+            "After 1, 2, 4, ... and at most {} sweeps, each as much work as one product with $F$. "
+            "Errors below $10^{{-13}}$ are rounding, and drawn there.",
+            most));
     }
 }
 
@@ -93,14 +98,16 @@ inline double chart_residuals(course::Chart& chart, const RadiositySystem& room,
     for (const auto& [name, step, last] : {std::tuple{"Jacobi", most / 12, most},
                                            {"Gauss-Seidel", most / 12, most},
                                            {"conjugate gradients", 1, 12}}) {
-        const auto& run = *std::find_if(runs.begin(), runs.end(),
-                                        [&, n = name](const SolverRun& r) { return r.name == n; });
+        const std::string error = name + std::string(": error"), residual = name + std::string(": residual");
+        const auto&       run = *std::find_if(runs.begin(), runs.end(),
+                                              [&, n = name](const SolverRun& r) { return r.name == n; });
         for (int sweeps = step; sweeps <= last; sweeps += step) {
             const auto found = run.after(sweeps);
-            chart.add(fmt::format("{}: error", name), sweeps, relative_error(room, found, exact));
-            chart.add(fmt::format("{}: residual", name), sweeps,
-                      relative_rms(room, residuals(room, found, 1), exact));
+            chart.add(error, sweeps, relative_error(room, found, exact));
+            chart.add(residual, sweeps, relative_rms(room, residuals(room, found, 1), exact));
         }
+        for (const auto& curve : {error, residual}) chart.in_ink(curve, ink_of_solver(name));
+        chart.as_dashed(residual);
     }
     return chart.at("Jacobi: error", most) / chart.at("Jacobi: residual", most);
 }
