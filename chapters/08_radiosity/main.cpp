@@ -156,6 +156,7 @@ void hierarchical(course::Chapter& chapter) {
 void failures(course::Chapter& chapter) {
     chapter.section("8.9 Where it fails");
     chart_above_one(chapter);
+    chart_closed_set(chapter);
     show_lost_light(chapter);
     chart_slivers(chapter);
     chart_sees_itself(chapter);

@@ -45,7 +45,8 @@ TEST_CASE("chapter 8: claims and text agree, figures have their data, renders do
              runs.check_chart(chart, {"method", "n", "seconds", "mebibytes", "error"}, 2 * 3).rows)
             CHECK(row[2].number() > 0);
     }
-    runs.check_chart("above_one", {"series", "reflectance"}, 37 + 25);
+    runs.check_chart("above_one", {"series", "reflectance"}, 46 + 31);
+    runs.check_chart("closed_set", {"series", "bounces added up"}, 4 * 13);
     runs.check_chart("lost_light", {"shape"}, 9);
     runs.check_chart("slivers", {"series", "width", "share"}, 2 * 24 + 4 + 21);
     runs.check_chart("sees_itself", {"series"}, 2 * 39);
