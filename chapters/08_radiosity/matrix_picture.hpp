@@ -26,8 +26,13 @@ namespace sr {
     return first;
 }
 
-/// Row i, column j: black where F_ij is 0, white where it is 0.1 or more, and a fifth darker for each factor of 10 less,
-/// in 20 steps: more are not told apart, and fill files. Lines between the parts.
+/// Of F_ij: 0, black, where it is 0 or at most 1e-6, 1, white, where it is 0.1 or more, and in between a step for each
+/// factor of 10^(1/4). More than these 20 are not told apart, and fill files.
+[[nodiscard]] inline double shade_of(double F) {
+    return F > 0 ? std::clamp(std::round((std::log10(F) + 6) * 4) / 20, 0.0, 1.0) : 0;
+}
+
+/// Row i, column j: the shade of F_ij. Lines between the parts.
 [[nodiscard]] inline Image<Spectrum> matrix_picture(const SolvedScene& box) {
     const auto      first = first_patches(box.patches);
     const auto      n     = box.patches.size();
@@ -38,20 +43,40 @@ namespace sr {
     };
     for (std::size_t i = 0; i < n; ++i)
         for (std::size_t j = 0; j < n; ++j) {
-            const double F     = box.system.form_factors(i, j);
-            const double shade = F > 0 ? std::clamp(std::round((std::log10(F) + 6) * 4) / 20, 0.0, 1.0) : 0;
-            const auto   grey  = float(shade * shade);
+            const double shade       = shade_of(box.system.form_factors(i, j));
+            const auto   grey        = float(shade * shade);  // as radiance; a screen shows about its root
             film(place(j), place(i)) = {grey, grey, grey};
         }
     return film;
 }
 
-/// Each pixel four times, to be told from its neighbours.
-[[nodiscard]] inline Image<Spectrum> twice_as_large(const Image<Spectrum>& film) {
-    Image<Spectrum> large(2 * film.width(), 2 * film.height());
-    for (int y = 0; y < large.height(); ++y)
-        for (int x = 0; x < large.width(); ++x) large(x, y) = film(x / 2, y / 2);
-    return large;
+/// The picture's lines, what they are between, and what its greys mean.
+inline void draw_matrix_key(course::Diagram diagram, const SolvedScene& box) {
+    using course::Anchor, course::Ink, course::Weight;
+    const auto       first = first_patches(box.patches);
+    const double     n     = double(box.patches.size());
+    constexpr double side = 10, gap = 0.62;
+    const auto       at = [&](std::size_t part) { return side * double(first[part]) / n; };
+    for (std::size_t line = 0; line < first.size(); ++line) {
+        diagram.line({0, side - at(line)}, {side, side - at(line)}, {Ink::vermilion, Weight::thin});
+        diagram.line({at(line), 0}, {at(line), side}, {Ink::vermilion, Weight::thin});
+    }
+    double below = side;  // the last label, which the next one does not cover
+    for (std::size_t part = 0; part + 1 < first.size(); ++part) {
+        const double middle = (at(part) + at(part + 1)) / 2, y = std::min(side - middle, below - gap);
+        diagram.label({-0.2, y}, fmt::format("{} {}", parts_of_the_box[part].name, part + 1), Anchor::right);
+        diagram.label({side - y, side + 0.45}, fmt::format("{}", part + 1), Anchor::centre);
+        below = y;
+    }
+    for (int power = 0; power <= 5; ++power) {
+        const double y = side - 1 - 0.8 * power;
+        diagram.polygon({{11, y - 0.4}, {12, y - 0.4}, {12, y + 0.4}, {11, y + 0.4}},
+                        {Ink::black, Weight::thin}, 1 - shade_of(std::pow(10.0, -1 - power)));
+        diagram.label({12.3, y}, fmt::format("$10^{{{}}}${}", -1 - power,
+                                             power == 0   ? " and more"
+                                             : power == 5 ? " and less"
+                                                          : ""));
+    }
 }
 
 /// Of patches that are not in part below a block: the share of the light leaving one part that arrives at each other,
@@ -84,7 +109,8 @@ inline void draw_parts(course::Diagram diagram, const SolvedScene& box) {
     const auto   name = [&](int part) {
         return part == parts ? std::string("out") : std::string(parts_of_the_box[part].name);
     };
-    diagram.label({-0.15 * wide, (parts + 0.5) * high}, "from", Anchor::right);
+    diagram.label({-0.15 * wide, (parts + 0.95) * high}, "[%]  to:", Anchor::right);
+    diagram.label({-0.15 * wide, (parts + 0.35) * high}, "from:", Anchor::right);
     for (int p = 0; p <= parts; ++p) {
         const double      top    = (parts - p) * high;
         const std::string column = name(p);
@@ -117,6 +143,9 @@ inline void show_matrix(course::Chapter& chapter, const SolvedScene& box, const 
         fmt::format("A row and a column for each of {} patches; lines between walls, lamp and blocks.",
                     box.patches.size()),
         matrix_picture(box));
+    auto key = chapter.diagram("matrix_key", "What the matrix is of");
+    draw_matrix_key(key, box);
+    key.caption("A row and a column for each patch; a step of grey is a factor of 10.");
     auto diagram = chapter.diagram("parts", "From where to where light goes [%]");
     draw_parts(diagram, aligned);
     diagram.caption("Of the light leaving a row's surface, the share that arrives at the column's.");
