@@ -54,7 +54,8 @@ inline void chart_closure(course::Chapter& chapter) {
         chart.add("scaled to 1", 1 - rho,
                   std::max(1e-16, error(symmetrically_scaled(cube_with_defect(0.005)))));
     }
-    chart.caption("Where the error is 1, none of the radiosity's digits is right.");
+    chart.caption(
+        "1: no digit is right. Left of the peak $1.005\\,\\rho > 1$, and the radiosity is negative.");
     for (const auto& [rho, e, B] : {std::tuple{0.5, -0.005, 1.99},
                                     {0.5, 0.005, 2.0101},
                                     {0.9, -0.005, 9.5694},

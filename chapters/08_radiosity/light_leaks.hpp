@@ -65,8 +65,7 @@ inline void chart_leaks(course::Chapter& chapter, const SolvedScene& box, const 
     }
     for (const char* curve : {"gathered", "constant", "interpolated", "interpolated, aligned"})
         chart.as_line(curve);
-    chart.mark_x(below_the_block.min, "block from here");
-    chart.mark_x(below_the_block.max, "to here");
+    chart.mark_band(below_the_block.min, below_the_block.max, "short block");
     for (const auto& [name, B, digit] : {std::tuple{"gathered", 0.7, 0.1},
                                          {"constant", 0.45, 0.01},
                                          {"interpolated", 0.39, 0.01},
@@ -75,8 +74,7 @@ inline void chart_leaks(course::Chapter& chapter, const SolvedScene& box, const 
                       {B, chart.at(name, 288.5), digit / 2});
     chapter.claim("8.7 the floor below the middle of the block, interpolated: radiosity [W/m2]",
                   {0.10, chart.at("interpolated", 186.5), 0.005});
-    chart.caption(
-        "Between the two vertical lines the short block stands on the floor, and all light there is a leak.");
+    chart.caption("Below the block it is dark: all light there is a leak. Aligned: cut along the block.");
 }
 
 /// By how much the aligned mesh's radiosity jumps along a seam: between two pieces of the floor whose vertices are not
@@ -106,7 +104,7 @@ inline void chart_leaks(course::Chapter& chapter, const SolvedScene& box, const 
 
 inline void show_leaks(course::Chapter& chapter, const SolvedScene& box, const SolvedScene& aligned) {
     chart_leaks(chapter, box, aligned);
-    const int side = chapter.options().size / 2;
+    const int side = chapter.options().size;
     chapter.render("foot", "The foot of the short block", "A mesh that knows nothing of the block.",
                    CornellViews(chapter, box).smooth(camera_at_foot(side)));
     chapter.render("foot_aligned", "The same, the floor cut along the block", "About as many patches.",

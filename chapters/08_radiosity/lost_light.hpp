@@ -60,7 +60,8 @@ inline void draw_lost_light(course::Diagram diagram, const std::vector<double>& 
         diagram.label({-0.2, y}, out ? "out" : std::string(parts_of_the_box[part].name), Anchor::right);
         diagram.polygon({{0, y - 0.25}, {length, y - 0.25}, {length, y + 0.25}, {0, y + 0.25}},
                         {out ? Ink::vermilion : Ink::blue, Weight::thin}, 0.5);
-        diagram.label({length + 0.2, y}, fmt::format("{:.0f} %", 100 * gone[part]));
+        diagram.label({length + 0.2, y},
+                      fmt::format("{:.{}f} %", 100 * gone[part], gone[part] < 0.01 ? 1 : 0));
     }
 }
 
@@ -83,7 +84,9 @@ inline void show_lost_light(course::Chapter& chapter) {
     const auto       gone    = where_light_goes(box, leaving_by_rays(patches, 32, 0, threads));
     auto             diagram = chapter.diagram("lost_light", "What becomes of the lamp's light");
     draw_lost_light(diagram, gone);
-    diagram.caption("Absorbed, and lost through the open side, of what the lamp of the Cornell box emits.");
+    diagram.caption(
+        "Absorbed, and lost through the open side, of what the lamp of the Cornell box emits; red, green and "
+        "blue are added up.");
     const Running sum = balance(box, threads);
     chapter.claim("8.9 what is absorbed and what leaves the box, together [%]", {100, 100 * sum.mean(), 0.5});
     chapter.claim("8.9 its standard error, of rays [%]", {0.2, 100 * sum.standard_error(), 0.05});

@@ -41,7 +41,9 @@ inline void chart_lambda(course::Chapter& chapter) {
     auto chart            = chapter.chart("lambda", "A cube of six faces: steps to a millionth of the error",
                                           {.x = "$\\lambda$", .y = "steps", .log = course::axis::y});
     const std::string law = "by (8.17)";
-    for (const auto& [rho, printed] : {std::pair{0.5, 1.818}, {0.9, 1.695}, {0.99, 1.669}}) {
+    using course::Ink;
+    for (const auto& [rho, printed, ink] :
+         {std::tuple{0.5, 1.818, Ink::vermilion}, {0.9, 1.695, Ink::green}, {0.99, 1.669, Ink::purple}}) {
         const auto        system  = cube_of_one_colour(rho);
         const auto        mu      = jacobi_eigenvalues(system);
         const double      bound   = largest_stable_lambda(mu);
@@ -54,7 +56,8 @@ inline void chart_lambda(course::Chapter& chapter) {
         }
         chart.gap(law, bound);
         chart.as_points(counted);
-        chart.mark_x(bound, fmt::format("{:.3f}", bound));
+        chart.in_ink(counted, ink);
+        chart.mark_x(bound, fmt::format("{:.3f}", bound), ink);
         chapter.claim(fmt::format("8.5 cube, reflectance {}: the largest stable lambda", rho),
                       {.expected = printed, .measured = bound, .tolerance = 5e-4});
     }
@@ -66,7 +69,7 @@ inline void chart_lambda(course::Chapter& chapter) {
 inline void chart_lambda_map(course::Chapter& chapter) {
     auto chart = chapter.chart("lambda_map", "A cube of six faces: by what a step multiplies the error",
                                {.x = "reflectance", .y = "$\\lambda$"});
-    const std::string border = "1: the border", best = "the best $\\lambda$";
+    const std::string border = "1: diverges above", best = "the best $\\lambda$";
     for (int i = 0; i <= 99; ++i) {
         const double rho = i / 100.0;
         const auto   mu  = jacobi_eigenvalues(cube_of_one_colour(rho));
@@ -75,6 +78,7 @@ inline void chart_lambda_map(course::Chapter& chapter) {
     }
     chart.as_line(border);
     chart.as_line(best);
+    chart.in_ink(border, course::Ink::black);
     for (const double radius : {0.8, 0.6, 0.4, 0.2}) {
         const std::string                      name = fmt::format("{}", radius);
         // The error's slowest part gives the lower side of a line, its fastest the upper one: they meet at the best.
@@ -93,8 +97,9 @@ inline void chart_lambda_map(course::Chapter& chapter) {
         }
         for (std::size_t i = upper.size(); i-- > 0;) chart.add(name, upper[i].first, upper[i].second);
         chart.as_line(name);
+        chart.in_ink(name, course::Ink::blue);
     }
-    chart.caption("Lines of equal spectral radius. Above the border nothing converges.");
+    chart.caption("Blue: lines of equal spectral radius. Above that of 1 nothing converges.");
 }
 
 /// The cube at its best lambda, and a sphere in pieces that see themselves.

@@ -75,13 +75,13 @@ struct SliverErrors {
 /// The figure of section 8.9, and what the text says of one width.
 inline void chart_slivers(course::Chapter& chapter) {
     auto chart = chapter.chart("slivers", "Slivers, 1 long, about 100 from the origin",
-                               {.x = "width", .y = "share", .log = course::axis::xy});
+                               {.x = "width", .y = "relative error, or share", .log = course::axis::xy});
     for (int i = -31; i <= -8; ++i) {
         const double width  = std::pow(10.0, i / 2.0);
         const auto   errors = sliver_errors(width);
-        chart.add("error of the form factor", width, errors.worst);
-        chart.add("error of light, of a square's", width, width / 2 * errors.worst);
-        if (errors.no_area > 0) chart.add("slivers without an area", width, errors.no_area);
+        chart.add("form factor, relative error", width, errors.worst);
+        chart.add("light that is wrong / light of a unit square", width, width / 2 * errors.worst);
+        chart.add("no area, share", width, errors.no_area);
         if (i >= -28) chart.add("$100 \\cdot 2^{-53}$ / width", width, 100 * std::ldexp(1.0, -53) / width);
     }
     chart.as_line("$100 \\cdot 2^{-53}$ / width");

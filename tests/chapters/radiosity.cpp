@@ -48,7 +48,7 @@ TEST_CASE("chapter 8: claims and text agree, figures have their data, renders do
     runs.check_chart("above_one", {"series", "reflectance"}, 46 + 31);
     runs.check_chart("closed_set", {"series", "bounces added up"}, 4 * 13);
     runs.check_chart("lost_light", {"shape"}, 9);
-    runs.check_chart("slivers", {"series", "width", "share"}, 2 * 24 + 4 + 21);
+    runs.check_chart("slivers", {"series", "width", "relative error, or share"}, 3 * 24 + 21);
     runs.check_chart("sees_itself", {"series"}, 2 * 39);
     runs.check_chart("fence", {"series"}, 2 * 12);
     runs.check_renders(19);
