@@ -43,20 +43,25 @@ public:
 
     /// As the vertices' radiosities say.
     [[nodiscard]] Image<Spectrum> smooth(const Camera<double>& camera) const {
+        return twice_as_bright(as_bright_as_it_is(camera));
+    }
+
+    /// The same for a view in which the lamp is near what it lights: there is too much light to double it.
+    [[nodiscard]] Image<Spectrum> as_bright_as_it_is(const Camera<double>& camera) const {
         return look(camera, interpolated_radiosity(box_.patches, box_.at_vertices));
     }
 
     /// A radiosity for each patch.
     [[nodiscard]] Image<Spectrum> faceted(const Camera<double>& camera,
                                           const Radiosities&    radiosities) const {
-        return look(camera, constant_radiosity(radiosities));
+        return twice_as_bright(look(camera, constant_radiosity(radiosities)));
     }
 
 private:
     [[nodiscard]] Image<Spectrum> look(const Camera<double>& camera, const RadiosityAt& radiosity) const {
         const auto& options = chapter_.options();
         const int   side    = options.quality == course::Quality::draft ? 2 : 4;
-        return twice_as_bright(picture(view_, camera, radiosity, side, {options.threads}));
+        return picture(view_, camera, radiosity, side, {options.threads});
     }
 
     course::Chapter&   chapter_;
@@ -74,8 +79,10 @@ inline void render_views(course::Chapter& chapter, const SolvedScene& box) {
     chapter.render("box", "The Cornell box", "Interpolated: " + mesh, smooth);
     chapter.render("box_constant", "The same, a radiosity for each patch", "Constant: " + mesh,
                    views.faceted(cornell_box_camera(size), box.radiosities));
-    chapter.render("box_above", "From above, through the ceiling",
-                   "The same solution: of faces, only fronts are seen.", views.smooth(camera_above(size)));
+    chapter.render(
+        "box_above", "From above, through the ceiling",
+        "The same solution, as bright as it is: of faces, only fronts are seen. Black: the open side.",
+        views.as_bright_as_it_is(camera_above(size)));
     chapter.render("box_corner", "From the far corner", "The same solution.",
                    views.smooth(camera_in_corner(size)));
     chapter.say(fmt::format("{} patches: form factors and solution {:.2g} s, a view {:.2g} s",
@@ -101,7 +108,7 @@ inline void render_bounces(course::Chapter& chapter, const SolvedScene& box) {
         for (; steps < k; ++steps) solver.step();
         chapter.render(fmt::format("bounces_{}", k - 1), fmt::format("Light {}", what),
                        fmt::format("{} steps of Jacobi's method.", k),
-                       views.faceted(cornell_box_camera(chapter.options().size / 2), solver.radiosities()));
+                       views.faceted(cornell_box_camera(chapter.options().size), solver.radiosities()));
         chapter.claim(fmt::format("8.7 of the reflected light, there {} [%]", what),
                       {share, 100 * (light(solver.radiosities()) - lamp) / (all - lamp), 0.05});
     }

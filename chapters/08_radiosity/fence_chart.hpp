@@ -13,7 +13,7 @@ namespace sr {
 
 /// The floor from above.
 inline void render_fence(course::Chapter& chapter, int n, const Visibility& visibility) {
-    const int     threads = chapter.options().threads, side = chapter.options().size / 2;
+    const int     threads = chapter.options().threads, side = chapter.options().size;
     const Patches floor = fence_floor(n);
     const auto    B     = lit_through_fence(floor, visibility, threads);
     const auto    above = pinhole_camera<double>({0.5, 0.5, 2}, {0, 0, -1}, {0, 1, 0}, 2, 1, side, side);

@@ -2,11 +2,15 @@
 /// @file form_factor_diagrams.hpp
 /// Sections 8.2 and 8.3: what a form factor is made of, Nusselt's picture of it, and the hemicube's.
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <string>
+#include <vector>
 
 #include "course/diagram.hpp"
 #include "drawing.hpp"
+#include "math/vector.hpp"
 
 namespace sr {
 
@@ -33,28 +37,53 @@ inline void draw_form_factor(course::Diagram diagram) {
     diagram.label({7.0, 5.6}, "patch $j$, $A_j$", Anchor::left, Ink::green);
 }
 
-/// In a section: a patch, its image on the unit sphere, and that image's shadow on the base.
-inline void draw_nusselt(course::Diagram diagram) {
-    constexpr double from = 32, to = 68, radius = 4;
-    const Point      a = 7.6 * towards(from), b = 6.2 * towards(to);
-    diagram.polygon({{0, 0}, a, b}, {Ink::green, Weight::thin}, 0.1);
-    diagram.line(arc({0, 0}, radius, 0, 180), {Ink::black, Weight::medium});
-    diagram.line({-5, 0}, {5.6, 0}, {Ink::blue, Weight::medium});
-    diagram.line(a, b, {Ink::green, Weight::thick});
-    diagram.line(arc({0, 0}, radius, from, to), {Ink::vermilion, Weight::thick});
-    for (const double angle : {from, to}) {
-        const Point on_sphere = radius * towards(angle);
-        diagram.line(on_sphere, {on_sphere.x, 0}, {Ink::vermilion, Weight::thin, true});
+/// A point of space on the paper, seen from 20 degrees above: x to the right, y away, z up.
+[[nodiscard]] inline Point from_aslant(const Vector3<double>& p) {
+    const Point above = towards(20);
+    return {p.x, above.x * p.z + above.y * p.y};
+}
+
+/// The border of a patch above a unit disk, of its image on the unit sphere, and of that image's shadow on the disk.
+struct Nusselt {
+    std::vector<Point> patch, image, shadow,
+        rays;  ///< the last: what ends of the four corners' lines there are
+
+    explicit Nusselt(const std::array<Vector3<double>, 4>& corners) {
+        constexpr int pieces = 24;  // of a side
+        for (std::size_t side = 0; side < 4; ++side) {
+            for (int i = 0; i < pieces; ++i) {
+                const auto p = glm::mix(corners[side], corners[(side + 1) % 4], double(i) / pieces);
+                const auto q = normalize(p);
+                if (i == 0) patch.push_back(from_aslant(p));
+                image.push_back(from_aslant(q));
+                shadow.push_back(from_aslant({q.x, q.y, 0}));
+                if (i == 0) rays.insert(rays.end(), {patch.back(), image.back(), shadow.back()});
+            }
+        }
     }
-    diagram.line({radius * towards(to).x, 0}, {radius * towards(from).x, 0}, {Ink::vermilion, Weight::thick});
-    diagram.point({0, 0}, {Ink::blue});
-    diagram.label({0, -0.5}, "$dA$", Anchor::centre, Ink::blue);
-    diagram.label((a + b) / 2.0 + Point{0.3, 0.25}, "patch $j$", Anchor::left, Ink::green);
-    diagram.label(1.13 * radius * towards(49), "$\\Omega$", Anchor::centre, Ink::vermilion);
-    diagram.label({2.45, -0.5}, "$\\Omega_\\perp$", Anchor::centre, Ink::vermilion);
-    diagram.label({-4.1, -0.5}, "1", Anchor::centre);
-    diagram.label({-9.2, 5.3}, "$F = \\Omega_\\perp / \\pi$: of the base disk,");
-    diagram.label({-9.2, 4.6}, "the share below the image");
+};
+
+inline void draw_nusselt(course::Diagram diagram) {
+    const Nusselt of({{{0.5, -0.5, 1.35}, {1.6, -0.5, 0.75}, {1.6, 0.7, 0.75}, {0.5, 0.7, 1.35}}});
+    const Point   centre{0, 0}, right{1, 0}, away = from_aslant({0, 1, 0}),
+                                           up{0, 1};  // of the sphere's outline
+    diagram.polygon(course::ellipse(centre, right, away), {Ink::blue, Weight::medium}, 0.1);
+    diagram.line(course::ellipse(centre, right, up, 0, 180), {Ink::black, Weight::thin});
+    for (std::size_t i = 0; i < of.rays.size(); i += 3) {
+        diagram.line(centre, of.rays[i], {Ink::green, Weight::thin});
+        diagram.line(of.rays[i + 1], of.rays[i + 2], {Ink::vermilion, Weight::thin, true});
+    }
+    diagram.polygon(of.shadow, {Ink::vermilion, Weight::medium}, 0.6);
+    diagram.polygon(of.image, {Ink::vermilion, Weight::medium}, 0.35);
+    diagram.polygon(of.patch, {Ink::green, Weight::medium}, 0.25);
+    diagram.point(centre, {Ink::blue});
+    diagram.label(centre + Point{-0.05, -0.08}, "$dA$", Anchor::right, Ink::blue);
+    diagram.label(of.patch[2] + Point{0.06, 0}, "patch $j$", Anchor::left, Ink::green);
+    diagram.label(of.image.front() + Point{-0.08, 0.02}, "$\\Omega$", Anchor::right, Ink::vermilion);
+    diagram.label(of.shadow[24] + Point{0.05, -0.12}, "$\\Omega_\\perp$", Anchor::left, Ink::vermilion);
+    diagram.label({-1.15, 0.2}, "radius 1", Anchor::right);
+    diagram.label({-2.6, 1.25}, "$F = \\Omega_\\perp / \\pi$: of the disk's area,");
+    diagram.label({-2.6, 1.08}, "the share below the image");
 }
 
 /// In a section: a patch under half a cube, whose pixels see other patches.
