@@ -19,11 +19,16 @@
 
 namespace sr {
 
-/// One room on a chart of error against time: each solver after 1, 2, 4, ... sweeps, timed on one thread.
+/// One room on a chart of error against time: each solver after 1, 2, 4, ... sweeps, timed on one thread. On a second one
+/// residual and error of three of them.
 class SolverRace {
 public:
-    SolverRace(course::Chart chart, const RadiositySystem& room, int sweeps)
-        : chart_(std::move(chart)), room_(room), sweeps_(sweeps), exact_(direct_solution(room)) {}
+    SolverRace(course::Chart chart, course::Chart residuals, const RadiositySystem& room, int sweeps)
+        : chart_(std::move(chart)),
+          residuals_(std::move(residuals)),
+          room_(room),
+          sweeps_(sweeps),
+          exact_(direct_solution(room)) {}
 
     void run(int repeats) {
         const auto                solvers = solver_runs(room_);
@@ -42,7 +47,12 @@ public:
             }
         }
         const auto times = course::measure(works, repeats);
-        for (std::size_t i = 0; i < times.size(); ++i) add(times[i], points[i]);
+        for (std::size_t i = 0; i < times.size(); ++i) {
+            add(times[i], points[i]);
+            const std::string& name = times[i].name;
+            if (name == "Jacobi" || name == "Gauss-Seidel" || name == "conjugate gradients")
+                add_residual(times[i], points[i].found);
+        }
     }
 
 private:
@@ -61,7 +71,18 @@ private:
         chart_.in_ink(time.name, ink_of_solver(time.name));
     }
 
-    course::Chart          chart_;
+    void add_residual(const course::Timing& time, const Radiosities& found) {
+        const double error   = relative_error(room_, found, exact_);
+        const double missing = relative_rms(room_, residuals(room_, found, 1), exact_);
+        if (error < rounding) return;
+        for (const auto& [what, value] : {std::pair{": error", error}, {": residual", missing}}) {
+            residuals_.add(time.name + what, time.seconds, value);
+            residuals_.in_ink(time.name + what, ink_of_solver(time.name));
+        }
+        residuals_.as_dashed(time.name + ": residual");
+    }
+
+    course::Chart          chart_, residuals_;
     const RadiositySystem& room_;
     int                    sweeps_;
     Radiosities            exact_, last_;
@@ -71,21 +92,26 @@ private:
 inline void chart_solvers(course::Chapter& chapter) {
     const bool            draft = chapter.options().quality == course::Quality::draft;
     const RadiositySystem room  = lit_room(draft ? 5 : 10, 0.9, chapter.options().threads);
-    for (const auto& [name, rho] :
-         {std::pair{"solvers", 0.9}, {"solvers_dark", 0.5}, {"solvers_bright", 0.99}}) {
-        auto chart =
-            chapter.chart(name, fmt::format("A room of {} patches, reflectance {}", room.size(), rho),
-                          {.x       = "time on one core [s]",
-                           .y       = "relative error, root mean square",
-                           .log     = course::axis::xy,
-                           .columns = course::speed_accuracy({"residual", "reflectance"})});
+    for (const auto& [name, rho] : {std::pair{"", 0.9}, {"_dark", 0.5}, {"_bright", 0.99}}) {
+        const auto title    = fmt::format("A room of {} patches, reflectance {}", room.size(), rho);
+        auto       chart    = chapter.chart(fmt::format("solvers{}", name), title,
+                                            {.x       = "time on one core [s]",
+                                             .y       = "relative error, root mean square",
+                                             .log     = course::axis::xy,
+                                             .columns = course::speed_accuracy({"residual", "reflectance"})});
+        auto       residual = chapter.chart(
+                  fmt::format("residuals_in_time{}", name), title,
+                  {.x = "time on one core [s]", .y = "relative residual, relative error", .log = course::axis::xy});
         const auto grey_room = painted(room, rho);
         const int  most      = draft ? 64 : 256;
-        SolverRace(chart, grey_room, most).run(draft ? 1 : 3);
+        SolverRace(chart, residual, grey_room, most).run(draft ? 1 : 3);
         chart.caption(fmt::format(
             "After 1, 2, 4, ... and at most {} sweeps, each as much work as one product with $F$. "
             "Errors below $10^{{-13}}$ are rounding, and drawn there.",
             most));
+        residual.caption(
+            "The same runs, down to rounding. Both in one measure: root mean square, as a share of the "
+            "radiosity's.");
     }
 }
 

@@ -30,6 +30,8 @@ TEST_CASE("chapter 8: claims and text agree, figures have their data, renders do
     }
     for (const std::string room : {"residuals", "residuals_dark", "residuals_middling"})
         runs.check_chart(room, {"series"}, 4 * 12 + 2 * 12);
+    for (const std::string room : {"residuals_in_time", "residuals_in_time_dark", "residuals_in_time_bright"})
+        runs.check_chart(room, {"series", "time on one core [s]"}, 3 * 2 * 5);
     runs.check_chart("ambient", {"series"}, 2 * 30);
     runs.check_chart("towards_one", {"series"}, 5 * 16);
     runs.check_chart("stagnation", {"series"}, 2 * 19 + 15);
