@@ -2,6 +2,7 @@
 /// @file cornell_meshes.hpp
 /// The Cornell box, solved with meshes of all sizes and held against one reference.
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <vector>
@@ -32,6 +33,12 @@ struct CornellMeshes {
     /// Gathered from a solution's links: closer to the truth than its leaves.
     [[nodiscard]] Radiosities gathered(const HierarchicalSolution& from, int threads) const {
         return gathered_at(samples, from, visibility, 2, threads);
+    }
+
+    /// Which polygon it is.
+    [[nodiscard]] std::size_t lamp() const {
+        const auto shines = [](const Polygon& polygon) { return polygon.emission != DoubleSpectrum{}; };
+        return std::size_t(std::ranges::find_if(polygons, shines) - polygons.begin());
     }
 
     [[nodiscard]] Radiosities of_leaves(const HierarchicalSolution& of) const {

@@ -147,8 +147,7 @@ void hierarchical(course::Chapter& chapter) {
                        picture_of_mesh(solutions[i], chapter.options().size, threads));
     const auto finer = box.solution(0.001, threads);
     claim_refinement(chapter, box, solutions, box.gathered(finer, threads));
-    claim_means(chapter, box, solutions.back(), finer);
-    claim_walks(chapter, box, finer);
+    claim_walls(chapter, box, solutions.back(), finer);
     chart_scaling(chapter, box, finer);
 }
 

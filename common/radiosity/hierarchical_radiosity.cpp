@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "radiosity/exchange_area.hpp"
@@ -29,12 +31,17 @@ void check(std::span<const Polygon> polygons, const HierarchicalSettings& settin
     if (!(settings.bound > 0)) refuse("the bound", settings.bound, "above 0");
     if (!(settings.smallest >= 0)) refuse("the smallest area", settings.smallest, "0 or more");
     if (!(settings.tolerance > 0)) refuse("the tolerance", settings.tolerance, "above 0");
-    if (settings.strata < 1) refuse("the number of strata", settings.strata, "1 or more");
+    if (settings.strata < 2 || settings.strata % 2 != 0)
+        refuse("the number of strata", settings.strata, "even and above 0");
+    const auto refuse_colour = [](std::size_t i, const char* what, DoubleSpectrum s, const char* right) {
+        throw std::invalid_argument(
+            fmt::format("polygon {}: its {} is ({}, {}, {}); must be {}", i, what, s.r, s.g, s.b, right));
+    };
     for (std::size_t i = 0; i < polygons.size(); ++i) {
-        const auto& [r, g, b] = polygons[i].reflectance;
-        if (!each_in(polygons[i].reflectance, 0, 1))
-            throw std::invalid_argument(
-                fmt::format("polygon {}: its reflectance is ({}, {}, {}); must be from 0 to 1", i, r, g, b));
+        const auto& [shape, reflectance, emission, material] = polygons[i];
+        if (!each_in(reflectance, 0, 1)) refuse_colour(i, "reflectance", reflectance, "from 0 to 1");
+        if (!each_in(emission, 0, std::numeric_limits<double>::max()))
+            refuse_colour(i, "emission", emission, "finite, and 0 or more");
     }
 }
 
@@ -63,33 +70,55 @@ public:
             add_links(pairs);
     }
 
-    /// Jacobi's iteration from the radiosities that there are. A new node begins with its parent's.
+    /// Jacobi's iteration from the radiosities that there are. A new node begins with its parent's. No step moves more than
+    /// q times as much light as the one before, q the largest reflectance: q + q^2 + ... times the last one's is to come.
     void solve() {
-        constexpr int limit = 1000;
+        constexpr int limit  = 20'000;
+        const double  q      = std::min(0.99, largest_reflectance());
+        double        before = 0;
         for (int step = 0; step < limit; ++step) {
-            auto   next   = solution_.trees.push_pull(gathered());
-            double change = 0, reflected = 0;
+            auto   next  = solution_.trees.push_pull(gathered());
+            double moved = 0, reflected = 0;  // the primary counts that has most [W]
             for (std::size_t i = 0; i < next.size(); ++i) {
-                change    = std::max(change, largest(next[i] - solution_.radiosities[i]));
-                reflected = std::max(reflected, largest(next[i] - solution_.trees.polygon_of(i).emission));
+                if (!solution_.trees[i].is_leaf()) continue;
+                const double area = solution_.trees[i].shape.area();
+                moved += area * largest(next[i] - solution_.radiosities[i]);
+                reflected += area * largest(next[i] - solution_.trees.polygon_of(i).emission);
             }
             solution_.radiosities = std::move(next);
-            if (change <= settings_.tolerance * reflected) return;
+            const bool shrinks    = moved < 0.995 * before;
+            if (moved == 0 || (shrinks && moved * q / (1 - q) <= settings_.tolerance * reflected)) return;
+            before = moved;
         }
-        throw std::runtime_error(
-            fmt::format("hierarchical radiosity: no solution after {} steps; "
-                        "does a closed scene reflect all of its light?",
-                        limit));
+        throw std::runtime_error(fmt::format(
+            "hierarchical radiosity: no solution after {} steps; light hardly gets out of a closed scene "
+            "whose polygons reflect 0.99 and more of it, as {} do",
+            limit, white_polygons()));
     }
 
     /// Links that were kept because smaller nodes might see each other carry nothing.
     [[nodiscard]] HierarchicalSolution take() {
-        std::erase_if(solution_.links, [](const RadiosityLink& link) { return link.visible == 0; });
+        std::erase_if(solution_.links, [](const RadiosityLink& link) { return link.visible() == 0; });
         solution_.links.shrink_to_fit();
         return std::move(solution_);
     }
 
 private:
+    [[nodiscard]] double largest_reflectance() const {
+        double rho = 0;
+        for (std::size_t i = 0; i < solution_.trees.polygon_count(); ++i)
+            rho = std::max(rho, largest(solution_.trees.polygon_of(i).reflectance));
+        return rho;
+    }
+
+    /// Which reflect all light of some primary, or so much that form factors would have to be exact.
+    [[nodiscard]] std::string white_polygons() const {
+        std::vector<std::size_t> white;
+        for (std::size_t i = 0; i < solution_.trees.polygon_count(); ++i)
+            if (largest(solution_.trees.polygon_of(i).reflectance) >= 0.99) white.push_back(i);
+        return fmt::format("{}", fmt::join(white, ", "));
+    }
+
     /// Removes the links that are too coarse. @return those that take their place
     [[nodiscard]] std::vector<Pair> replaced_links(double bound) {
         auto& [trees, links, radiosities] = solution_;
@@ -98,8 +127,8 @@ private:
         std::vector<Pair> pairs;
         std::size_t       kept = 0;
         for (std::size_t i = 0; i < links.size(); ++i) {
-            const auto [a, b, form_factor, visible] = links[i];
-            const std::uint32_t cut                 = ends[i] == LinkEnd::receiver ? a : b;
+            const auto [a, b]       = std::pair{links[i].receiver, links[i].source};
+            const std::uint32_t cut = ends[i] == LinkEnd::receiver ? a : b;
             if (ends[i] == LinkEnd::none || !(trees[cut].shape.area() >= 4 * settings_.smallest)) {
                 links[kept++] = links[i];
                 continue;
@@ -126,20 +155,33 @@ private:
     }
 
     [[nodiscard]] RadiosityLink link(const Pair& pair) const {
-        const Patch &p = solution_.trees[pair.receiver].shape, &q = solution_.trees[pair.source].shape;
-        const double exchange = exchange_area(p, q);
-        Rng          rng{settings_.seed, pair.receiver, pair.source, 0};
-        const double visible = exchange > 0 ? visible_share(p, q, visibility_, settings_.strata, rng) : 0;
-        return {pair.receiver, pair.source, float(exchange / p.area()), float(visible)};
+        const Patch & p = solution_.trees[pair.receiver].shape, &q = solution_.trees[pair.source].shape;
+        const double  exchange = exchange_area(p, q);
+        Rng           rng{settings_.seed, pair.receiver, pair.source, 0};
+        RadiosityLink link{pair.receiver, pair.source, float(exchange / p.area()), {}};
+        if (exchange > 0) {
+            const auto seen = visible_quarters(p, q, visibility_, settings_.strata, rng);
+            std::transform(seen.begin(), seen.end(), link.seen.begin(), [](double s) { return float(s); });
+        }
+        return link;
     }
 
-    /// What arrives at each node over its own links: irradiances [W/m^2].
+    /// What arrives at each node over its own links: irradiances [W/m^2], equation (8.29).
     [[nodiscard]] Radiosities gathered() const {
         Radiosities irradiances(solution_.trees.size());
-        for (const auto& [receiver, source, form_factor, visible] : solution_.links)
-            irradiances[receiver] =
-                irradiances[receiver] + double(form_factor) * double(visible) * solution_.radiosities[source];
+        for (const auto& link : solution_.links)
+            irradiances[link.receiver] = irradiances[link.receiver] + double(link.form_factor) * seen(link);
         return irradiances;
+    }
+
+    /// Of the radiosity of a link's source, what is seen of it.
+    [[nodiscard]] DoubleSpectrum seen(const RadiosityLink& link) const {
+        const auto& [trees, links, B] = solution_;
+        if (trees[link.source].is_leaf()) return link.visible() * B[link.source];
+        DoubleSpectrum sum;
+        for (std::size_t k = 0; k < 4; ++k)
+            sum = sum + double(link.seen[k]) * B[trees[link.source].first_child + k];
+        return sum;
     }
 
     HierarchicalSettings settings_;

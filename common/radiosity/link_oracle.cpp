@@ -30,20 +30,21 @@ struct LinkError {
     double of_source;    ///< that smaller sources would mend
 };
 
-/// Equation (8.26). The form factor changes over a node by its size over the distance, or all at once where a part
-/// of it is hidden.
+/// Equations (8.26) and (8.28). The form factor changes over a node by its size over the distance, or all at once where a part
+/// of it is hidden: over the receiver, it is wrong by that; and over a source whose parts differ, light is.
 LinkError error_of(const RadiosityLink& link, const Quadtrees& trees, const Radiosities& B, int rays) {
-    const auto& [a, b, F, v] = link;
+    const auto [a, b]  = std::pair{link.receiver, link.source};
+    const double     F = double(link.form_factor), v = link.visible();
     const Patch &    p = trees[a].shape, &q = trees[b].shape;
     const double     distance = length(p.centre() - q.centre()), root = std::sqrt(p.area());
     const auto       change = [&](const Patch& of) { return std::min(1.0, std::sqrt(of.area()) / distance); };
-    const double     unknown = v == 0 ? 1.0 / rays : std::sqrt(double(v) * (1 - double(v)));
+    const double     unknown = v == 0 ? 1.0 / rays : std::sqrt(v * (1 - v));
     const auto       rho     = trees.polygon_of(a).reflectance;
-    const double     light   = largest(rho * B[b]) * double(F) * root;
+    const double     light   = largest(rho * B[b]) * F * root;
     constexpr double gradient =
         0.3;  // root mean square of a change of 1 along the side of a square: 1/sqrt(12)
-    return {light * (gradient * double(v) * change(p) + unknown),
-            largest(rho * spread(trees, B, b)) * double(F) * root * double(v) * change(q) +
+    return {light * (gradient * v * change(p) + unknown),
+            largest(rho * spread(trees, B, b)) * F * root * (v * change(q) + unknown) +
                 light * unknown / std::sqrt(double(rays))};
 }
 
@@ -56,7 +57,8 @@ std::vector<LinkEnd> ends_by_error(const Quadtrees& trees, const std::vector<Rad
         sum[link.receiver] += errors.back().of_receiver;
         ++count[link.receiver];
     }
-    constexpr double     share_of_a_source = 0.0625;  // sources are many, and their errors differ in sign
+    // sources are many, and their errors have one sign: of a bright wall, the part near what it lights is the brightest
+    constexpr double     share_of_a_source = 0.0625;
     std::vector<LinkEnd> ends(links.size(), LinkEnd::none);
     for (std::size_t i = 0; i < links.size(); ++i) {
         const auto [a, b]     = std::pair{links[i].receiver, links[i].source};
@@ -76,9 +78,10 @@ std::vector<LinkEnd> ends_by_power(const Quadtrees& trees, const std::vector<Rad
                                    const Radiosities& B, int rays, double bound) {
     std::vector<LinkEnd> ends(links.size(), LinkEnd::none);
     for (std::size_t i = 0; i < links.size(); ++i) {
-        const auto& [a, b, F, v] = links[i];
-        const double area = trees[a].shape.area(), visible = std::max(double(v), 1.0 / rays);
-        const double power = largest(trees.polygon_of(a).reflectance * B[b]) * double(F) * visible * area;
+        const auto [a, b] = std::pair{links[i].receiver, links[i].source};
+        const double F = double(links[i].form_factor), v = links[i].visible();
+        const double area = trees[a].shape.area(), visible = std::max(v, 1.0 / rays);
+        const double power = largest(trees.polygon_of(a).reflectance * B[b]) * F * visible * area;
         if (power > bound) ends[i] = area >= trees[b].shape.area() ? LinkEnd::receiver : LinkEnd::source;
     }
     return ends;

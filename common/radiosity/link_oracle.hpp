@@ -11,7 +11,7 @@ namespace sr {
 /// What says that a link is too coarse.
 enum class LinkOracle {
     power,  ///< what it carries, rho_a F_ab B_b A_a: Hanrahan, Salzman and Aupperle's BF, equation (8.25)
-    error,  ///< how wrong a receiver's links make it, together, equations (8.26) and (8.27)
+    error,  ///< how wrong a receiver's links make it, together, equations (8.26) to (8.28)
 };
 
 /// One of a link's two nodes, or neither.

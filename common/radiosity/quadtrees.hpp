@@ -30,17 +30,19 @@ public:
     [[nodiscard]] const Polygon&      polygon_of(std::size_t node) const {
              return polygons_[nodes_[node].polygon];
     }
+    [[nodiscard]] std::size_t polygon_count() const { return polygons_.size(); }
     [[nodiscard]] std::size_t leaf_count() const { return size() - (size() - polygons_.size()) / 4; }
 
     /// The first of a node's four children, which it is given if it has none.
     std::uint32_t children(std::uint32_t node);
 
-    /// Irradiances that nodes of all levels gathered become their radiosities, equation (8.28): a leaf gets what all
+    /// Irradiances that nodes of all levels gathered become their radiosities, equation (8.30): a leaf gets what all
     /// nodes above it gathered, too, and any other node has the mean of its children, by area [W/m^2].
     [[nodiscard]] Radiosities push_pull(Radiosities gathered) const;
 
     /// The leaves as patches, and their radiosities from those of all nodes, in the same order. They share no
-    /// vertices: corners of small ones lie within sides of large ones.
+    /// vertices, since corners of small ones lie within sides of large ones: vertex_radiosities() would find nothing to
+    /// interpolate between.
     [[nodiscard]] Patches     leaves() const;
     [[nodiscard]] Radiosities of_leaves(const Radiosities& radiosities) const;
 

@@ -12,7 +12,6 @@
 #include "radiosity/patch_view.hpp"
 #include "radiosity/point_form_factors.hpp"
 #include "radiosity/rows.hpp"
-#include "radiosity/visible_share.hpp"
 #include "sampling/rng.hpp"
 
 namespace sr {
@@ -53,6 +52,26 @@ LinksByReceiver by_receiver(const HierarchicalSolution& solution) {
     for (const auto& link : result.all) ++result.first[link.receiver + 1];
     for (std::size_t i = 1; i < result.first.size(); ++i) result.first[i] += result.first[i - 1];
     return result;
+}
+
+/// Mean radiosity of the quarters on which rays from a point to strata of a node end, as the form factor weighs them; what
+/// is hidden is black.
+DoubleSpectrum seen_from(const SurfacePoint<double>& from, std::uint32_t node,
+                         const HierarchicalSolution& solution, const Visibility& visibility, int side,
+                         Rng& rng) {
+    const Patch&   to      = solution.trees[node].shape;
+    const bool     is_leaf = solution.trees[node].is_leaf();
+    double         all     = 0;
+    DoubleSpectrum seen;
+    for (int k = 0; k < side * side; ++k) {
+        const double x = rng.uniform<double>(), y = rng.uniform<double>();
+        const auto   q      = to.sample({(k % side + x) / side, (k / side + y) / side});
+        const double weight = form_factor_kernel(from.position, from.normal, q, to.normal());
+        all += weight;
+        if (weight > 0 && visibility.between(from, to.surface_point(q)))
+            seen = seen + weight * solution.radiosities[is_leaf ? node : child_at(solution.trees, node, q)];
+    }
+    return all > 0 ? seen / all : solution.radiosities[node];
 }
 
 }  // namespace
@@ -101,14 +120,12 @@ Radiosities gathered_at(std::span<const SurfaceSample> samples, const Hierarchic
         for (std::uint32_t node = polygon;; node = child_at(trees, node, position)) {
             for (std::size_t k = links.first[node]; k < links.first[node + 1]; ++k) {
                 const std::uint32_t source  = links.all[k].source;
-                const Patch&        to      = trees[source].shape;
                 const bool          is_lamp = trees.polygon_of(source).emission != DoubleSpectrum{};
                 Rng                 rng{1, std::int64_t(i), source, 0};
-                const double        factor = contour_form_factor(position, normal, to);
+                const double        factor = contour_form_factor(position, normal, trees[source].shape);
                 if (!(factor > 0)) continue;
-                const double visible =
-                    visible_share(from, to, visibility, is_lamp ? 4 * strata : strata, rng);
-                irradiance = irradiance + factor * visible * solution.radiosities[source];
+                irradiance = irradiance + factor * seen_from(from, source, solution, visibility,
+                                                             is_lamp ? 4 * strata : strata, rng);
             }
             if (trees[node].is_leaf()) break;
         }

@@ -17,6 +17,22 @@ double visible_share(const Patch& a, const Patch& b, const Visibility& visibilit
     return all > 0 ? seen / all : 1;
 }
 
+std::array<double, 4> visible_quarters(const Patch& a, const Patch& b, const Visibility& visibility, int side,
+                                       Rng& rng) {
+    const auto            quarters = b.quarters();
+    double                all      = 0;
+    std::array<double, 4> seen{};
+    for (std::size_t k = 0; k < 4; ++k) {
+        for (const auto& [p, q] : stratified_pairs(a, quarters[k], side / 2, rng)) {
+            const double weight = quarters[k].area() * form_factor_kernel(p, a.normal(), q, b.normal());
+            all += weight;
+            if (weight > 0 && visibility.between(a.surface_point(p), b.surface_point(q))) seen[k] += weight;
+        }
+    }
+    for (auto& each : seen) each = all > 0 ? each / all : 0.25;
+    return seen;
+}
+
 double visible_share(const SurfacePoint<double>& from, const Patch& to, const Visibility& visibility,
                      int side, Rng& rng) {
     double all = 0, seen = 0;

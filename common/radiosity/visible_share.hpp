@@ -2,6 +2,8 @@
 /// @file visible_share.hpp
 /// What rays between random points of two patches say.
 
+#include <array>
+
 #include "radiosity/patch.hpp"
 #include "radiosity/visibility.hpp"
 #include "sampling/rng.hpp"
@@ -14,6 +16,11 @@ namespace sr {
 /// @pre side >= 1, the patches face each other
 [[nodiscard]] double visible_share(const Patch& a, const Patch& b, const Visibility& visibility, int side,
                                    Rng& rng);
+
+/// The same in four parts: which share of the light passes to each quarter of b.
+/// @pre side is even
+[[nodiscard]] std::array<double, 4> visible_quarters(const Patch& a, const Patch& b,
+                                                     const Visibility& visibility, int side, Rng& rng);
 
 /// The same from one point, by a ray into each of the patch's side^2 strata. What is behind the point's own surface has
 /// weight 0: it is no part of the form factor that is shared out, and must not count as hidden.

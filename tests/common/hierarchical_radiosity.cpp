@@ -4,6 +4,7 @@
 #include "radiosity/hierarchical_radiosity.hpp"
 
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
@@ -12,7 +13,9 @@
 #include <string>
 
 #include "../../chapters/08_radiosity/inside_of_a_cube.hpp"
+#include "../../chapters/08_radiosity/unit_squares.hpp"
 #include "near.hpp"
+#include "radiosity/visible_share.hpp"
 #include "refusal.hpp"
 #include "sampling/rng.hpp"
 #include "scene/cornell_box.hpp"
@@ -44,8 +47,7 @@ HierarchicalSolution solution_of(const std::vector<Polygon>& polygons, const Hie
 /// The sums of the form factors that each leaf's light arrives by: its own links', and those of all nodes above it.
 std::vector<double> row_sums(const HierarchicalSolution& solution) {
     std::vector<double> sums(solution.trees.size()), of_leaves;
-    for (const auto& link : solution.links)
-        sums[link.receiver] += double(link.form_factor) * double(link.visible);
+    for (const auto& link : solution.links) sums[link.receiver] += double(link.form_factor) * link.visible();
     for (std::size_t i = 0; i < sums.size(); ++i) {
         const auto& node = solution.trees[i];
         if (node.is_leaf()) of_leaves.push_back(sums[i]);
@@ -54,9 +56,28 @@ std::vector<double> row_sums(const HierarchicalSolution& solution) {
     return of_leaves;
 }
 
+/// A rectangle from (x0, y, 0) to (x1, y, 1) in one grey, its front upwards.
+Polygon slab(double x0, double x1, double y, double reflectance, double emission) {
+    return {Patch{{x0, y, 0}, {x0, y, 1}, {x1, y, 1}, {x1, y, 0}},
+            {reflectance, reflectance, reflectance},
+            {emission, emission, emission},
+            0};
+}
+
+/// What the ceiling, a lamp over the whole length of 2, reflects of light that the floor sends back.
+double from_below(const std::vector<Polygon>& floor, double bound) {
+    std::vector<Polygon> polygons{slab(0, 2, 1, 0.5, 1)};
+    polygons.front().shape = polygons.front().shape.reversed();
+    polygons.insert(polygons.end(), floor.begin(), floor.end());
+    return solution_of(polygons, {.bound = bound, .strata = 16, .threads = 0}).radiosities[0].r - 1;
+}
+
+std::string refusal(const std::vector<Polygon>& polygons, const HierarchicalSettings& settings) {
+    return sr::test::refusal_of([&] { (void)solution_of(polygons, settings); });
+}
+
 std::string refusal(const HierarchicalSettings& settings, double reflectance = 0.5) {
-    const std::array<double, 6> rho{0.5, 0.5, 0.5, 0.5, 0.5, reflectance};
-    return sr::test::refusal_of([&] { (void)solution_of(cube(rho, {1, 0, 0, 0, 0, 0}), settings); });
+    return refusal(cube({0.5, 0.5, 0.5, 0.5, 0.5, reflectance}, {1, 0, 0, 0, 0, 0}), settings);
 }
 
 }  // namespace
@@ -87,6 +108,19 @@ TEST_CASE("push-pull loses no flux: what all levels gather leaves white polygons
     CHECK(area == near(6, 1e-13));
     CHECK(of_polygons == near(flux, 1e-12));
     CHECK(of_leaves == near(flux, 1e-12));
+}
+
+TEST_CASE("what quarters of different sizes send counts by their areas") {
+    const Patch trapezoid{{0, 0, 0}, {4, 0, 0}, {3, 1, 0}, {0, 1, 0}};
+    Quadtrees   trees(std::vector<Polygon>{{trapezoid, {1, 1, 1}, {}, 0}});
+    Radiosities gathered(5);
+    double      flux = 0;
+    for (std::size_t k = trees.children(0), i = 1; i < 5; ++k, ++i) {
+        gathered[k].g = double(i);
+        flux += trees[k].shape.area() * double(i);
+    }
+    CHECK(trees[1].shape.area() > 1.05 * trees[4].shape.area());
+    CHECK(trees.push_pull(gathered)[0].g == near(flux / trapezoid.area(), 1e-13));
 }
 
 TEST_CASE("D1: in a closed room each leaf's factors add up to 1, within the error that was asked for") {
@@ -124,6 +158,66 @@ TEST_CASE("D5: the area means of the cube with six reflectances, by either oracl
     CHECK(coarse.radiosities[4].g == near(0.13228470375560799, 1e-3));  // D4: one radiosity for a face
 }
 
+TEST_CASE("a floor that is half below a black lid lights the ceiling as its other half alone does") {
+    const auto lid = slab(0, 1, 1e-3, 0, 0);
+    for (const double bound : {0.1, 0.01}) {  // links from the whole floor, and from its quarters
+        const double half = from_below({slab(1, 2, 0, 0.8, 0)}, bound);
+        CHECK(half > 0.01);
+        CHECK(from_below({slab(0, 2, 0, 0.8, 0), lid}, bound) ==
+              near(half, 0.1));  // half of 256 rays or more: a standard error of 3 % at most
+    }
+}
+
+TEST_CASE("C9: behind a square links find what is left of the light, by either oracle") {
+    std::vector<Polygon> polygons;
+    for (const Patch& shape :
+         {level_square(), level_square(1).reversed(), blocking_square(), blocking_square().reversed()})
+        polygons.push_back({shape, {}, {}, 0});
+    polygons[0].reflectance = {1, 1, 1};
+    polygons[1].emission    = {1, 1, 1};
+    for (const auto& [oracle, bound] : {std::pair{LinkOracle::error, 0.002}, {LinkOracle::power, 1e-5}}) {
+        const auto solution = solution_of(polygons, {.bound = bound, .oracle = oracle, .threads = 0});
+        CHECK(solution.radiosities[0].g == near(behind_a_square, 0.01));
+        CHECK(solution.trees.leaf_count() > 100);
+    }
+}
+
+TEST_CASE("links that no ray passes are not cut as if one did") {
+    std::vector<Polygon>       polygons{{level_square(), {1, 1, 1}, {}, 0},
+                                  {level_square(1).reversed(), {}, {1, 1, 1}, 0}};
+    const HierarchicalSettings settings{.bound  = 0.05,
+                                        .oracle = LinkOracle::power};  // of 0.1998 that are sent
+    CHECK(solution_of(polygons, settings).trees.leaf_count() > 2);
+    polygons.push_back({Patch{{-9, -9, 0.5}, {9, -9, 0.5}, {9, 9, 0.5}, {-9, 9, 0.5}}, {}, {}, 0});
+    CHECK(solution_of(polygons, settings).trees.leaf_count() == 3);
+}
+
+TEST_CASE("rays know which quarter of a patch they see") {
+    const Patch from = slab(0, 1, 1, 0, 0).shape.reversed(), to = slab(0, 1, 0, 0, 0).shape;
+    const auto  quarters   = to.quarters();
+    const auto  seen_below = [&](const std::vector<Polygon>& between) {
+        Rng rng{1, 0, 0, 0};
+        return visible_quarters(from, to, visibility_of(between), 32, rng);
+    };
+    const double noise =
+        0.01;  // of 256 rays a quarter, whose weights differ by a third: five standard errors
+    const auto all = seen_below({slab(0, 1, -1, 0, 0)});
+    CHECK(all[0] + all[1] + all[2] + all[3] == near(1, 1e-12));
+    for (const double share : all) CHECK(std::abs(share - 0.25) < noise);
+    for (std::size_t hidden = 0; hidden < 4; ++hidden) {
+        const auto c     = quarters[hidden].centre();
+        auto       lid   = slab(c.x - 0.25, c.x + 0.25, 1e-6, 0, 0);
+        const auto p     = lid.shape.corners();
+        const auto moved = [&](std::size_t i) {
+            return Vector3<double>{p[i].x, p[i].y, c.z + (p[i].z - 0.5) / 2};
+        };
+        lid.shape       = Patch{moved(0), moved(1), moved(2), moved(3)};
+        const auto seen = seen_below({lid});
+        for (std::size_t k = 0; k < 4; ++k)
+            CHECK(std::abs(seen[k] - (k == hidden ? 0 : 0.25)) < (k == hidden ? 1e-12 : noise));
+    }
+}
+
 TEST_CASE("the Cornell box: the same bits for any number of threads, and links grow as leaves do") {
     const Scene      scene    = cornell_box();
     const auto       polygons = polygons_of(scene);
@@ -157,10 +251,26 @@ TEST_CASE("what makes no sense is refused") {
     CHECK(refusal({.bound = std::nan("")}) == "hierarchical radiosity: the bound is nan; must be above 0");
     CHECK(refusal({.smallest = -1}) == "hierarchical radiosity: the smallest area is -1; must be 0 or more");
     CHECK(refusal({.tolerance = 0}) == "hierarchical radiosity: the tolerance is 0; must be above 0");
-    CHECK(refusal({.strata = 0}) == "hierarchical radiosity: the number of strata is 0; must be 1 or more");
+    for (const int strata : {-2, 0, 3})
+        CHECK(refusal({.strata = strata}) ==
+              fmt::format("hierarchical radiosity: the number of strata is {}; must be even and above 0",
+                          strata));
     CHECK(refusal({}, 1.5) == "polygon 5: its reflectance is (1.5, 1.5, 1.5); must be from 0 to 1");
     CHECK(refusal({}, std::nan("")).starts_with("polygon 5: its reflectance is (nan"));
-    const std::array<double, 6> white{1, 1, 1, 1, 1, 1};
-    const auto                  closed = cube(white, {1, 0, 0, 0, 0, 0});
-    CHECK_THROWS_AS((void)solution_of(closed, {.bound = 0.1}), std::runtime_error);
+    for (const auto& [emission, text] : {std::pair{-1.0, "-1"}, {HUGE_VAL, "inf"}, {std::nan(""), "nan"}})
+        CHECK(refusal(cube({}, {1, 0, 0, emission, 0, 0}), {}) ==
+              fmt::format("polygon 3: its emission is ({0}, {0}, {0}); must be finite, and 0 or more", text));
+}
+
+TEST_CASE("a closed set of polygons that reflect all light is named, and what is still to come is known") {
+    for (const double tolerance : {1e-4, 2e-3, 0.1})
+        CHECK(refusal(cube({1, 1, 1, 1, 1, 1}, {1, 0, 0, 0, 0, 0}), {.bound = 0.1, .tolerance = tolerance})
+                  .ends_with("whose polygons reflect 0.99 and more of it, as 0, 1, 2, 3, 4, 5 do"));
+    for (const double rho : {0.5, 0.9, 0.99}) {
+        const auto room    = cube({rho, rho, rho, rho, rho, rho}, {1, 0, 0, 0, 0, 0});
+        const auto rough   = solution_of(room, {.bound = 0.1, .tolerance = 1e-3});
+        const auto precise = solution_of(room, {.bound = 0.1, .tolerance = 1e-9});
+        for (std::size_t i = 0; i < 6; ++i)
+            CHECK(rough.radiosities[i].r == near(precise.radiosities[i].r, 1.1e-3));
+    }
 }

@@ -3,16 +3,12 @@
 ///
 /// `error` is the relative RMS error of what is reflected, at 4000 points. `all_pairs_s` is how long all pairs would
 /// take to that error, by the power laws of their own runs, and `faster` how many times that is. `mebibytes` is what
-/// the data hold, `peak_mebibytes` the most that the process had so far. The last rows are the powers of n.
+/// the data hold. The last rows are the powers of n.
 
 #include <cmath>
 #include <span>
 #include <string>
 #include <vector>
-
-#ifdef __unix__
-#include <sys/resource.h>
-#endif
 
 #include "../../chapters/08_radiosity/scaling_chart.hpp"
 #include "course/bench.hpp"
@@ -20,17 +16,6 @@
 
 namespace sr {
 namespace {
-
-/// The most memory that this process has had; 0: not known.
-double peak_mebibytes() {
-#ifdef __unix__
-    rusage usage{};
-    getrusage(RUSAGE_SELF, &usage);
-    return double(usage.ru_maxrss) / 1024;  // from KiB
-#else
-    return 0;
-#endif
-}
 
 /// y of a power law through points, at x.
 double power_law(std::span<const double> x, std::span<const double> y, double at) {
@@ -53,35 +38,31 @@ double all_pairs_seconds(const std::vector<MeshCost>& costs, double error) {
 
 course::Rows rows() {
     const CornellMeshes       box;
-    // of the order in which they take memory: the peak can only grow
-    const std::vector<double> bounds{0.016, 0.0042, 0.001, 0.00018}, sizes{62, 45, 32.2, 26.2};
+    const std::vector<double> bounds{0.016, 0.0037, 0.00096, 0.00018}, sizes{62, 40, 32.2, 26.2};
     course::Progress          progress("solving", int(bounds.size() + sizes.size()) + 1);
     const auto                reference = box.gathered(box.solution(0.0003, 0), 0);
     progress.tick();
     std::vector<MeshCost> costs;
-    std::vector<double>   peaks;
     const auto            add = [&](const MeshCost& cost) {
         costs.push_back(cost);
-        peaks.push_back(peak_mebibytes());
         progress.tick();
     };
     for (const double bound : bounds) add(hierarchical_cost(box, bound, reference));
     for (const double size : sizes) add(dense_cost(box, size, reference));
 
-    course::Rows table{
-        {"method", "n", "seconds", "mebibytes", "peak_mebibytes", "error", "all_pairs_s", "faster"}};
+    course::Rows table{{"method", "n", "seconds", "mebibytes", "error", "all_pairs_s", "faster"}};
     for (std::size_t i = 0; i < costs.size(); ++i) {
         const auto& [method, n, seconds, mebibytes, error] = costs[i];
         const double all_pairs                             = all_pairs_seconds(costs, error);
-        table.add({method, n, seconds, mebibytes, peaks[i], error, all_pairs, all_pairs / seconds});
+        table.add({method, n, seconds, mebibytes, error, all_pairs, all_pairs / seconds});
     }
     for (const std::string method : {"hierarchical", "all pairs"}) {
         const auto  power = [&](double MeshCost::*column) { return exponent(costs, method, column); };
         const Slope s = power(&MeshCost::seconds), m = power(&MeshCost::mebibytes),
                     e = power(&MeshCost::error);
-        table.add({method + ": power of n", "", s.value, m.value, "", e.value, "", ""});
-        table.add({method + ": its standard error", "", s.standard_error, m.standard_error, "",
-                   e.standard_error, "", ""});
+        table.add({method + ": power of n", "", s.value, m.value, e.value, "", ""});
+        table.add({method + ": its standard error", "", s.standard_error, m.standard_error, e.standard_error,
+                   "", ""});
     }
     return table;
 }
