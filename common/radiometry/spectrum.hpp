@@ -5,6 +5,8 @@
 #include <concepts>
 #include <type_traits>
 
+#include "math/extremes.hpp"
+
 namespace sr {
 
 /// Three numbers, one for each primary of linear sRGB: a colour, not a direction. A type of its own, so that
@@ -42,6 +44,12 @@ using DoubleSpectrum = BasicSpectrum<double>;
 template <std::floating_point T>
 [[nodiscard]] constexpr T mean(BasicSpectrum<T> s) {
     return (s.r + s.g + s.b) / 3;
+}
+
+/// The number of the primary that has most; NaN if one of them is NaN.
+template <std::floating_point T>
+[[nodiscard]] T largest(BasicSpectrum<T> s) {
+    return max_or_nan(max_or_nan(s.r, s.g), s.b);
 }
 
 /// The same colour in another precision.

@@ -10,7 +10,8 @@
 namespace sr {
 namespace {
 
-DoubleSpectrum largest(const Radiosities& values) {
+/// The largest |value| of each primary, and NaN where one of them is.
+DoubleSpectrum magnitude(const Radiosities& values) {
     DoubleSpectrum most;
     for (const auto& [r, g, b] : values)
         most = {max_or_nan(most.r, std::abs(r)), max_or_nan(most.g, std::abs(g)),
@@ -47,8 +48,8 @@ Radiosities residuals(const RadiositySystem& system, const Radiosities& radiosit
 }
 
 double relative_size(const Radiosities& values, const Radiosities& whole) {
-    const DoubleSpectrum part = largest(values), all = largest(whole);
-    return max_or_nan(max_or_nan(share(part.r, all.r), share(part.g, all.g)), share(part.b, all.b));
+    const DoubleSpectrum part = magnitude(values), all = magnitude(whole);
+    return largest(DoubleSpectrum{share(part.r, all.r), share(part.g, all.g), share(part.b, all.b)});
 }
 
 }  // namespace sr

@@ -10,6 +10,7 @@ namespace sr {
 
 /// The patch with the largest residual gets what makes its equation hold, equation (8.19). A step is one patch and
 /// costs n: it changes the residuals of the others by a column of F.
+/// @see Southwell, Relaxation Methods in Engineering Science (1940)
 class Southwell {
 public:
     explicit Southwell(const RadiositySystem& system)
@@ -17,7 +18,7 @@ public:
 
     void step() {
         const auto less = [](const DoubleSpectrum& s, const DoubleSpectrum& t) {
-            return largest_of(s) < largest_of(t);
+            return largest(s) < largest(t);  // they stay positive: light is only ever added
         };
         const auto i =
             std::size_t(std::max_element(residuals_.begin(), residuals_.end(), less) - residuals_.begin());
@@ -35,9 +36,6 @@ public:
     [[nodiscard]] double             residual() const { return relative_size(residuals_, system_.emission); }
 
 private:
-    /// Residuals stay positive: light is only ever added.
-    static double largest_of(const DoubleSpectrum& s) { return std::max({s.r, s.g, s.b}); }
-
     const RadiositySystem& system_;
     Radiosities            radiosities_;
     Radiosities            residuals_;

@@ -14,7 +14,7 @@ namespace {
 
 using PatchSet = std::vector<std::size_t>;
 
-constexpr double largest = std::numeric_limits<double>::max();
+constexpr double largest_finite = std::numeric_limits<double>::max();
 
 void require(bool good, const std::string& what) {
     if (!good) throw std::invalid_argument(what);
@@ -37,17 +37,17 @@ void check_patch(const RadiositySystem& system, std::size_t i) {
     const auto& [er, eg, eb] = system.emission[i];
     require(each_in(system.reflectance[i], 0, 1),
             fmt::format("the reflectance of patch {} is ({}, {}, {}); must be 0 to 1", i, r, g, b));
-    require(each_in(system.emission[i], 0, largest),
+    require(each_in(system.emission[i], 0, largest_finite),
             fmt::format("the emission of patch {} is ({}, {}, {}); must be 0 or more, and finite", i, er, eg,
                         eb));
-    require(system.area[i] > 0 && system.area[i] <= largest,
+    require(system.area[i] > 0 && system.area[i] <= largest_finite,
             fmt::format("the area of patch {} is {}; must be above 0, and finite", i, system.area[i]));
 }
 
 void check_row(const FormFactorMatrix& form_factors, std::size_t i, double tolerance) {
     const auto row = form_factors.row(i);
     for (std::size_t j = 0; j < row.size(); ++j)
-        require(row[j] >= 0 && row[j] <= largest,
+        require(row[j] >= 0 && row[j] <= largest_finite,
                 fmt::format("the form factor from patch {} to patch {} is {}; must be 0 to 1", i, j, row[j]));
     const double sum = form_factors.row_sum(i);
     require(sum <= 1 + tolerance,

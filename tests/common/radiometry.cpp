@@ -219,3 +219,10 @@ TEST_CASE("lamps that cannot be are refused, by name and value") {
         CHECK_THROWS_AS((void)overcast_sky_irradiance(Radiance<double>{bad}, 1.0), std::invalid_argument);
     }
 }
+
+TEST_CASE("the largest of three primaries, and NaN wherever there is one") {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    for (const auto& s : {DoubleSpectrum{3, 1, -4}, {1, 3, 2}, {-4, 2, 3}}) CHECK(largest(s) == 3);
+    CHECK(largest(DoubleSpectrum{-3, -1, -2}) == -1);
+    for (const auto& s : {DoubleSpectrum{nan, 1, 2}, {1, nan, 2}, {1, 2, nan}}) CHECK(std::isnan(largest(s)));
+}
