@@ -9,7 +9,7 @@ namespace sr {
 /// three primaries with steps of its own length. Where rho_i = 0 that row can't be made, and needs not be: there
 /// B_i = E_i from the start and for good. The residual's preconditioner is the diagonal, as in Jacobi's method. A step
 /// costs n^2.
-/// @pre A_i F_ij = A_j F_ji, all rows of F sum to 1 at most: the matrix is positive definite
+/// @pre A_i F_ij = A_j F_ji, and the system has passed check_system: the matrix is positive definite
 /// @see Hestenes and Stiefel, Methods of Conjugate Gradients for Solving Linear Systems (1952)
 class ConjugateGradients {
 public:

@@ -44,8 +44,9 @@ void check_patch(const RadiositySystem& system, std::size_t i) {
             fmt::format("the area of patch {} is {}; must be above 0, and finite", i, system.area[i]));
 }
 
-void check_row(const FormFactorMatrix& form_factors, std::size_t i, double tolerance) {
-    const auto row = form_factors.row(i);
+void check_row(const RadiositySystem& system, std::size_t i, double tolerance) {
+    const auto& form_factors = system.form_factors;
+    const auto  row          = form_factors.row(i);
     for (std::size_t j = 0; j < row.size(); ++j)
         require(row[j] >= 0 && row[j] <= largest_finite,
                 fmt::format("the form factor from patch {} to patch {} is {}; must be 0 to 1", i, j, row[j]));
@@ -55,6 +56,13 @@ void check_row(const FormFactorMatrix& form_factors, std::size_t i, double toler
                 "the form factors from patch {} sum to {}; must be 1 at most (within {}), or light is made "
                 "of nothing",
                 i, sum, tolerance));
+    const double     rho      = largest(system.reflectance[i]);
+    constexpr double rounding = 1e-12;  // of a sum of thousands
+    require(rho * sum < 1 || sum <= 1 + rounding,
+            fmt::format(
+                "patch {} reflects {} and its form factors sum to {}, which makes light of nothing; their "
+                "product must be below 1: make one of them less",
+                i, rho, sum));
 }
 
 /// Of one primary, the patches from which no light gets to one where some is lost.
@@ -122,7 +130,7 @@ void check_system(const RadiositySystem& system, double tolerance) {
     check_sizes(system);
     for (std::size_t i = 0; i < system.size(); ++i) {
         check_patch(system, i);
-        check_row(system.form_factors, i, tolerance);
+        check_row(system, i, tolerance);
     }
     const auto sets = perfect_enclosures(system, tolerance);
     if (!sets.empty())

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "../../chapters/08_radiosity/known_systems.hpp"
+#include "radiosity/direct_solution.hpp"
 #include "radiosity/system_check.hpp"
 #include "refusal.hpp"
 
@@ -75,6 +76,28 @@ TEST_CASE("a row may sum to more than 1 by what its factors are known to be wron
     CHECK(refusal(system, 0.001) != "accepted");
 }
 
+TEST_CASE("but not by so much that the patch sends on more than there is: the solution would be negative") {
+    // Five faces of a cube that reflect all and get 1.008 of it, and one that absorbs 0.02: a bounce makes 1.0047 of 1.
+    auto cube = cube_of_faces({{1, 1}, {1, 1}, {1, 1}, {1, 1}, {1, 1}, {0.98, 1}});
+    CHECK(refusal(cube, 0.01) == "accepted");
+    for (std::size_t i = 0; i < 6; ++i)
+        for (auto& factor : cube.form_factors.row(i)) factor *= 1.008;
+    CHECK(direct_solution(cube)[0].r < 0);
+    CHECK(refusal(cube, 0.01) ==
+          "patch 0 reflects 1 and its form factors sum to 1.008, which makes light of nothing; their product "
+          "must be below "
+          "1: make one of them less");
+    // in any of the primaries, and up to 1 itself
+    for (const auto primary : {&DoubleSpectrum::r, &DoubleSpectrum::g, &DoubleSpectrum::b}) {
+        auto coloured                    = good;
+        coloured.form_factors(0, 1)      = 1.25;
+        coloured.reflectance[0].*primary = 0.8;
+        CHECK(refusal(coloured, 0.3).find("patch 0 reflects 0.8 and its form factors sum to 1.25") == 0);
+        coloured.reflectance[0].*primary = 0.799;
+        CHECK(refusal(coloured, 0.3) == "accepted");
+    }
+}
+
 TEST_CASE("patches that keep all light to themselves are named") {
     CHECK(refusal(two_plates({1, 1}, {1, 0})) ==
           "patches 0, 1 reflect all light, and only to each other: it never gets less, and there is no "
@@ -85,9 +108,11 @@ TEST_CASE("patches that keep all light to themselves are named") {
     CHECK(perfect_enclosures(two_rooms(1, 1, 0.99)) == Sets{{0, 2}});
     CHECK(perfect_enclosures(two_rooms(0.5, 0.5)).empty());
 
-    auto coloured = good;
-    for (auto& reflectance : coloured.reflectance) reflectance.g = 1;
-    CHECK(perfect_enclosures(coloured) == Sets{{0, 1}});
+    for (const auto primary : {&DoubleSpectrum::r, &DoubleSpectrum::g, &DoubleSpectrum::b}) {
+        auto coloured = good;
+        for (auto& reflectance : coloured.reflectance) reflectance.*primary = 1;
+        CHECK(perfect_enclosures(coloured) == Sets{{0, 1}});
+    }
 
     const auto large = inside_of_a_sphere(std::vector<GreyPatch>(20, {1, 1}));
     CHECK(refusal(large).find("patches 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11 and 8 more reflect") == 0);

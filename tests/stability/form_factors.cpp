@@ -11,6 +11,7 @@
 #include "../../chapters/08_radiosity/textbook_factors.hpp"
 #include "../../chapters/08_radiosity/touching_patches.hpp"
 #include "near.hpp"
+#include "radiosity/system_check.hpp"
 
 using namespace sr;
 using test::near;
@@ -95,4 +96,11 @@ TEST_CASE("S38: rows that add up to 1 + e give B = 1 / (1 - rho (1 + e)); scaled
         CHECK(radiosity_in_cube(symmetrically_scaled(F), rho) == near(1 / (1 - rho), 1e-10));
         CHECK(radiosity_in_cube(with_normalised_rows(F), rho) == near(1 / (1 - rho), 1e-10));
     }
+    // The last row: 0.99 (1 + 0.02) is above 1, and bounces have no end. What solves the equations is no light: refused.
+    const auto            F      = cube_with_defect(0.02);
+    const RadiositySystem bright = grey_system(std::vector<GreyPatch>(6, {0.99, 1}),
+                                               [&](std::size_t i, std::size_t j) { return F(i, j); });
+    CHECK(radiosity_in_cube(F, 0.99) == near(1 / (1 - 0.99 * 1.02), 1e-9));
+    CHECK(radiosity_in_cube(F, 0.99) < 0);
+    CHECK_THROWS_AS(check_system(bright, 0.03), std::invalid_argument);
 }
