@@ -12,10 +12,9 @@
 
 #include "course/chapter.hpp"
 #include "known_systems.hpp"
-#include "lit_room.hpp"
-#include "radiosity/direct_solution.hpp"
 #include "radiosity/relaxation.hpp"
 #include "radiosity/relaxed_jacobi.hpp"
+#include "steps_to_a_millionth.hpp"
 #include "textbook_jacobi.hpp"
 
 namespace sr {
@@ -25,15 +24,6 @@ namespace sr {
     std::vector<GreyPatch> faces(6, {reflectance, 0});
     faces.back().emission = 1;
     return cube_of_faces(faces);
-}
-
-/// The steps until the error is a millionth of what it was at first, when B was 0.
-template <class Solver>
-[[nodiscard]] int steps_to_a_millionth(const RadiositySystem& system, Solver solver) {
-    const auto exact = direct_solution(system);
-    int        steps = 0;
-    for (; relative_error(system, solver.radiosities(), exact) > 1e-6; ++steps) solver.step();
-    return steps;
 }
 
 /// Steps against lambda, measured, beside what the largest |1 - lambda mu| says.
