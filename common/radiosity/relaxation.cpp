@@ -16,10 +16,6 @@
 namespace sr {
 namespace {
 
-double largest(const DoubleSpectrum& s) {
-    return max_or_nan(max_or_nan(s.r, s.g), s.b);
-}
-
 /// D^-1 (I - rho F) times a vector.
 Radiosities jacobi_image(const RadiositySystem& system, const Radiosities& vector, int threads) {
     Radiosities image = applied(system, vector, threads);
@@ -27,13 +23,14 @@ Radiosities jacobi_image(const RadiositySystem& system, const Radiosities& vecto
     return image;
 }
 
-/// Divides by the largest magnitude, for each primary, and returns it.
+/// Divides by the root of the sum of squares, for each primary, and returns it. By the largest magnitude instead, a black
+/// patch, which no product changes, would make it seem for a while that nothing changes.
 DoubleSpectrum normalise(Radiosities& vector) {
-    DoubleSpectrum most;
-    for (const auto& [r, g, b] : vector)
-        most = {std::max(most.r, std::abs(r)), std::max(most.g, std::abs(g)), std::max(most.b, std::abs(b))};
-    for (auto& value : vector) value = value / most;
-    return most;
+    DoubleSpectrum squares;
+    for (const auto& value : vector) squares = squares + value * value;
+    const DoubleSpectrum root{std::sqrt(squares.r), std::sqrt(squares.g), std::sqrt(squares.b)};
+    for (auto& value : vector) value = value / root;
+    return root;
 }
 
 /// Numbers that no eigenvector is likely to be at right angles to, the same each time.
@@ -85,16 +82,16 @@ double best_lambda(const Eigenvalues& eigenvalues) {
 }
 
 double estimated_stable_lambda(const RadiositySystem& system, int threads) {
-    Radiosities vector = start_vector(system.size());
-    double      most   = 0;
+    Radiosities    vector = start_vector(system.size());
+    DoubleSpectrum grown;
     normalise(vector);
     for (int i = 0; i < 1000; ++i) {
-        vector             = jacobi_image(system, vector, threads);
-        const double grown = largest(normalise(vector));
-        if (std::abs(grown - most) <= 1e-9 * grown) break;
-        most = grown;
+        vector                   = jacobi_image(system, vector, threads);
+        const DoubleSpectrum now = normalise(vector), change = now - grown;
+        grown = now;
+        if (each_in(change, -1e-12, 1e-12)) break;
     }
-    return 2 / most;
+    return 2 / largest(grown);
 }
 
 double safe_lambda(const RadiositySystem& system) {
@@ -107,8 +104,11 @@ double safe_lambda(const RadiositySystem& system) {
 }
 
 void check_relaxation(const RadiositySystem& system, double lambda, int threads) {
-    if (lambda > 0 && lambda < safe_lambda(system)) return;
-    const double bound = estimated_stable_lambda(system, threads);
+    if (lambda > 0 && lambda <= 1) return;  // the light of one bounce more, or a part of it
+    const double safe = safe_lambda(system);
+    if (lambda > 0 && lambda < safe) return;
+    // The estimate may be too large by some thousandths, and steps that grow slowly overflow as well.
+    const double bound = std::max(safe, 0.995 * estimated_stable_lambda(system, threads));
     if (lambda > 0 && lambda < bound) return;
     throw std::invalid_argument(
         fmt::format("lambda is {}; must be above 0 and below {:.4g}, or the steps of relaxed Jacobi grow",

@@ -9,26 +9,13 @@
 #include <vector>
 
 #include "../../chapters/08_radiosity/known_systems.hpp"
+#include "../../chapters/08_radiosity/steps_to_a_millionth.hpp"
 #include "near.hpp"
 #include "radiosity/relaxation.hpp"
 #include "radiosity/relaxed_jacobi.hpp"
 
 using namespace sr;
 using sr::test::near;
-
-namespace {
-
-/// The steps until the error is a millionth of what it was at first.
-int steps_to_a_millionth(const RadiositySystem& system, double lambda, double exact) {
-    RelaxedJacobi solver(system, lambda);
-    for (int steps = 1; steps < 10'000; ++steps) {
-        solver.step();
-        if (std::abs(solver.radiosities()[0].r - exact) <= 1e-6 * exact) return steps;
-    }
-    return 0;
-}
-
-}  // namespace
 
 TEST_CASE("C4: the eigenvalues of a cube's form factors: 1, three of -f_o, two of f_o - 2 f_a") {
     constexpr double    rho = 0.5;
@@ -93,7 +80,8 @@ TEST_CASE("D15: two plates, the number of steps to a millionth of the error") {
                                              {0.5, 1.3, 14}}) {
         CAPTURE(rho);
         CAPTURE(lambda);
-        CHECK(steps_to_a_millionth(two_plates({rho, 1}, {rho, 1}), lambda, 1 / (1 - rho)) == steps);
+        const auto system = two_plates({rho, 1}, {rho, 1});
+        CHECK(steps_to_a_millionth(system, RelaxedJacobi(system, lambda)) == steps);
     }
 }
 
@@ -113,6 +101,10 @@ TEST_CASE("D16: a cube of six faces, the stable range and the best lambda") {
         CHECK(spectral_radius(mu, best) == near(radius, 1e-10));
         // The largest two eigenvalues differ by 0.0004: the power method would take thousands of steps to part them.
         CHECK(estimated_stable_lambda(system) == near(bound, 1e-3));
+        // That is enough to let pass what grows, if slowly: half a per cent is kept away from it.
+        for (const double share : {0.9999, 1.0001, 1.00014})
+            CHECK_THROWS_AS(RelaxedJacobi(system, share * bound), std::invalid_argument);
+        CHECK_NOTHROW(RelaxedJacobi(system, 0.99 * bound));
     }
 }
 
@@ -129,6 +121,8 @@ TEST_CASE("D17: the inside of a sphere in equal pieces, which see themselves") {
         CHECK(largest_stable_lambda(mu) == near(bound, 1e-10));
         CHECK(spectral_radius(mu, 1) == doctest::Approx(radius).epsilon(1e-12));
         CHECK(estimated_stable_lambda(system) == near(bound, 1e-6));
+        CHECK(safe_lambda(system) <= bound * (1 + 1e-15));
+        CHECK(safe_lambda(system) >= 1);
     }
 }
 
@@ -150,6 +144,7 @@ TEST_CASE("a lambda that is not stable is refused, with the bound") {
         "lambda is 1.06; must be above 0 and below 1.053, or the steps of relaxed Jacobi grow",
         std::invalid_argument);
     CHECK_THROWS_AS(RelaxedJacobi(system, 0), std::invalid_argument);
+    CHECK_NOTHROW(RelaxedJacobi(two_plates({1, 1}, {0.999, 0})));  // whose bound is 1.0003
     CHECK_THROWS_AS(RelaxedJacobi(system, -0.5), std::invalid_argument);
     CHECK_THROWS_AS(RelaxedJacobi(system, std::nan("")), std::invalid_argument);
 }

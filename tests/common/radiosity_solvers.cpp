@@ -4,6 +4,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
@@ -19,6 +20,7 @@
 #include "radiosity/gauss_seidel.hpp"
 #include "radiosity/progressive_shooting.hpp"
 #include "radiosity/reciprocity.hpp"
+#include "radiosity/relaxation.hpp"
 #include "radiosity/relaxed_jacobi.hpp"
 #include "radiosity/residual.hpp"
 #include "radiosity/southwell.hpp"
@@ -195,6 +197,22 @@ TEST_CASE("all solvers agree on random reciprocal systems") {
                                     return direct_solution(system);
                                 }}),
                          200) != "");
+}
+
+TEST_CASE("no lambda is let pass with which steps grow, however slowly") {
+    check_law(
+        "refused from the bound on",
+        [] {
+            const auto seed   = *rc::gen::arbitrary<std::uint32_t>();
+            const auto system = random_system(seed, *rc::gen::inRange<std::size_t>(1, 40));
+            double     bound  = 2;
+            for (const auto primary : {&DoubleSpectrum::r, &DoubleSpectrum::g, &DoubleSpectrum::b})
+                bound = std::min(bound, largest_stable_lambda(jacobi_eigenvalues(system, primary)));
+            RC_ASSERT(safe_lambda(system) <= bound * (1 + 1e-12));
+            RC_ASSERT_THROWS_AS(check_relaxation(system, bound * (1 + 1e-12)), std::invalid_argument);
+            check_relaxation(system, 0.99 * bound);
+        },
+        200);
 }
 
 TEST_CASE("the solution is the same to the bit on any number of threads") {
