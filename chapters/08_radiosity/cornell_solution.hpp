@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "course/chapter.hpp"
+#include "radiosity/conjugate_gradients.hpp"
 #include "radiosity/form_factors.hpp"
 #include "radiosity/patch_system.hpp"
-#include "radiosity/relaxed_jacobi.hpp"
 #include "radiosity/system_check.hpp"
 #include "radiosity/vertex_radiosity.hpp"
 #include "scene/cornell_box.hpp"
@@ -41,9 +41,7 @@ inline constexpr double factor_tolerance = 1e-2;  ///< of form factors, and of t
         solved.system = system_of(solved.patches, form_factors(solved.patches, Visibility(scene),
                                                                    {.tolerance = factor_tolerance}, rows));
         check_system(solved.system, factor_tolerance + noise);
-        RelaxedJacobi solver(solved.system, 1, threads);
-        (void)solve(solver, 1e-6, 1000);
-        solved.radiosities = solver.radiosities();
+        solved.radiosities = solution_by(ConjugateGradients(solved.system, threads), 1e-6, 1000);
     });
     solved.at_vertices = vertex_radiosities(solved.patches, solved.radiosities);
     return solved;

@@ -51,9 +51,7 @@ struct CubeSolution {
         system_of(cube.patches, measured == Measured::from_centres
                                     ? form_factors_of_centres(cube.patches, threads)
                                     : form_factors(cube.patches, nothing_hides, {}, {threads}));
-    RelaxedJacobi solver(system, 1, threads);
-    (void)solve(solver, 1e-10, 100);
-    cube.radiosities = solver.radiosities();
+    cube.radiosities = solution_by(RelaxedJacobi(system, 1, threads), 1e-10, 100);
     cube.at_vertices = vertex_radiosities(cube.patches, cube.radiosities);
     return cube;
 }

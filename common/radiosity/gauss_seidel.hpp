@@ -8,6 +8,7 @@ namespace sr {
 
 /// One patch after the other gets what makes its own equation hold, equation (8.19), from what the others have by
 /// then. A step is a sweep over all of them and costs n^2; it can't be shared out to threads.
+/// @see Golub and Van Loan, Matrix Computations (4th edition, 2013), section 11.2
 class GaussSeidel {
 public:
     explicit GaussSeidel(const RadiositySystem& system)

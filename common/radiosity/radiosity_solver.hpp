@@ -2,12 +2,17 @@
 /// @file radiosity_solver.hpp
 /// Iterative solvers of (I - rho F) B = E, and the loop that runs them. How to use:
 ///     check_system(system);
+///     show(solution_by(RelaxedJacobi(system), 1e-6, 1000));
+/// or, to see how it comes along:
 ///     RelaxedJacobi solver(system);
 ///     const Convergence told = solve(solver, 1e-6, 1000);
 ///     if (told.reached) show(solver.radiosities());
 
+#include <fmt/format.h>
+
 #include <concepts>
 #include <cstddef>
+#include <stdexcept>
 #include <vector>
 
 #include "radiosity/radiosity_system.hpp"
@@ -34,7 +39,7 @@ struct Convergence {
 /// Steps until the residual is no more than the tolerance, at most `limit` of them, and none once it is NaN. The error
 /// of the radiosities may be larger than their residual: up to 1 / (1 - rho) times in a room of one reflectance.
 template <RadiositySolver S>
-Convergence solve(S& solver, double tolerance, int limit) {
+[[nodiscard]] Convergence solve(S& solver, double tolerance, int limit) {
     Convergence told{{solver.residual()}};
     for (int i = 0; i < limit && told.residuals.back() > tolerance; ++i) {
         solver.step();
@@ -42,6 +47,19 @@ Convergence solve(S& solver, double tolerance, int limit) {
     }
     told.reached = told.residuals.back() <= tolerance;
     return told;
+}
+
+/// The radiosities when the tolerance is reached [W/m^2].
+/// @throws std::runtime_error with the residual and the number of steps if it is not
+template <RadiositySolver S>
+[[nodiscard]] Radiosities solution_by(S solver, double tolerance, int limit) {
+    const Convergence told = solve(solver, tolerance, limit);
+    if (!told.reached)
+        throw std::runtime_error(fmt::format(
+            "the residual of the radiosities is {:.2g} after {} steps; must be {} at most: is nearly "
+            "all light reflected?",
+            told.residuals.back(), told.steps(), tolerance));
+    return solver.radiosities();
 }
 
 }  // namespace sr

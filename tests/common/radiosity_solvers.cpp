@@ -242,6 +242,32 @@ TEST_CASE("a solver says how it came along, and stops at its limit, or at NaN") 
     CHECK(easy.radiosities()[0] == DoubleSpectrum{});
 }
 
+TEST_CASE(
+    "a solution that was not reached is none: where nearly all is reflected, conjugate gradients get there") {
+    // After 1000 steps of Jacobi the residual is 0.999^1000, and so much of the light is missing.
+    const auto bright = cube_of_faces(alike(6, 0.999, 1));
+    CHECK_THROWS_WITH_AS(
+        (void)solution_by(RelaxedJacobi(bright), 1e-6, 1000),
+        "the residual of the radiosities is 0.37 after 1000 steps; must be 1e-06 at most: is nearly "
+        "all light reflected?",
+        std::runtime_error);
+    for (const auto& radiosity : solution_by(ConjugateGradients(bright), 1e-6, 1000))
+        CHECK(radiosity.g == near(1000, 1e-9));
+    const auto broken = two_plates({0.5, std::nan("")}, {0.5, 1});
+    CHECK_THROWS_AS((void)solution_by(GaussSeidel(broken), 1e-6, 10), std::runtime_error);
+}
+
+TEST_CASE(
+    "patches that see only themselves are solved by one step of conjugate gradients: the diagonal is divided "
+    "out") {
+    auto hollows = grey_system(
+        alike(5, 0.9, 1), [](std::size_t i, std::size_t j) { return i == j ? 0.15 * double(i + 1) : 0; });
+    ConjugateGradients solver(hollows);
+    CHECK(solve(solver, 1e-13, 10).steps() == 1);
+    for (std::size_t i = 0; i < 5; ++i)
+        CHECK(solver.radiosities()[i].r == near(1 / (1 - 0.9 * 0.15 * double(i + 1)), 1e-13));
+}
+
 TEST_CASE("conjugate gradients end after as many steps as there are different eigenvalues") {
     // C4: of the cube's faces, alike, there are three.
     auto system        = cube_of_faces(alike(6, 0.99, 0));

@@ -13,11 +13,13 @@
 
 #include "../../chapters/08_radiosity/aligned_floor.hpp"
 #include "../../chapters/08_radiosity/fence.hpp"
+#include "../../chapters/08_radiosity/inside_of_a_cube.hpp"
 #include "../../chapters/08_radiosity/limit_charts.hpp"
 #include "../../chapters/08_radiosity/lost_light.hpp"
 #include "../../chapters/08_radiosity/mirror_block.hpp"
 #include "../../chapters/08_radiosity/slivers.hpp"
 #include "near.hpp"
+#include "radiosity/residual.hpp"
 #include "radiosity/system_check.hpp"
 #include "refusal.hpp"
 
@@ -50,6 +52,18 @@ TEST_CASE("a reflectance above 1 has a solution that is no light: it is refused,
 
     CHECK(refusal(cube_that_shines(0.999)) == "accepted");
     CHECK(direct_solution(cube_that_shines(0.999))[0].r == near(1000));
+}
+
+TEST_CASE("a bright closed room is solved to the tolerance, where 1000 steps of Jacobi are not enough") {
+    auto faces = inside_of_a_cube();
+    for (auto& face : faces) {
+        face.reflectance = grey(0.99);
+        face.emission    = grey(1);
+    }
+    const auto patches = cut(faces, 0.5);
+    const auto room    = solve_patches(patches, mesh_of(patches).mesh, 1);
+    const auto left    = residuals(room.system, room.radiosities, 1);
+    CHECK(relative_size(left, room.system.emission) <= 1e-6);
 }
 
 TEST_CASE("an open scene loses light, and as much as rays find: absorbed and lost are what is emitted") {
