@@ -43,15 +43,19 @@ Radiosities ProgressiveShooting::radiosities() const {
 Radiosities ProgressiveShooting::radiosities_with_ambient() const {
     DoubleSpectrum reflected, power;
     double         area = 0;
+    // of light that comes from all around, what a patch sends on: what it sees of the others, and reflects
+    const auto     reflectance = [&](std::size_t i) {
+        return system_.form_factors.row_sum(i) * system_.reflectance[i];
+    };
     for (std::size_t i = 0; i < system_.size(); ++i) {
         area      = area + system_.area[i];
-        reflected = reflected + system_.area[i] * system_.reflectance[i];
+        reflected = reflected + system_.area[i] * reflectance(i);
         power     = power + system_.area[i] * unshot_[i];
     }
     // (8.20) mean unshot radiosity times 1 + rho + rho^2 + ...
     const DoubleSpectrum ambient = power / (DoubleSpectrum{area, area, area} - reflected);
     Radiosities          shown   = radiosities();
-    for (std::size_t i = 0; i < shown.size(); ++i) shown[i] = shown[i] + system_.reflectance[i] * ambient;
+    for (std::size_t i = 0; i < shown.size(); ++i) shown[i] = shown[i] + reflectance(i) * ambient;
     return shown;
 }
 

@@ -283,6 +283,37 @@ TEST_CASE("the ambient term is the whole truth in a room of one colour that is l
     for (const auto& radiosity : at_once.radiosities()) CHECK(radiosity.r == 1);
 }
 
+TEST_CASE("the ambient term is the whole truth inside a sphere, whatever its pieces are like") {
+    // All pieces get the same: H = sum A_j B_j / A, so that H = mean E + (mean rho) H, the means by area.
+    const auto                system = inside_of_a_sphere({{0.2, 1, 1}, {0.7, 0, 3}});
+    const double              H      = 0.25 / (1 - (0.2 + 3 * 0.7) / 4);
+    const ProgressiveShooting at_once(system);
+    const auto                shown = at_once.radiosities_with_ambient();
+    CHECK(shown[0].b == near(1 + 0.2 * H, 1e-14));
+    CHECK(shown[1].b == near(0.7 * H, 1e-14));
+}
+
+TEST_CASE("in an open scene the ambient term counts what leaves, and ends in the solution") {
+    // Of what reflects all, a patch sees s of the other's light: B = 1 / (1 - s^2). At first, half of the light of 1, spread
+    // over both, comes back s times, and s^2, ... times: s / 2 / (1 - s) is added.
+    const auto          strips = corner_of_strips({1, 1}, {1, 0});
+    const double        s      = 1 - std::sqrt(0.5);
+    ProgressiveShooting shooting(strips);
+    CHECK(shooting.radiosities_with_ambient()[0].r == near(1 + s / 2 / (1 - s), 1e-14));
+    for (int shots = 0; shots < 500; ++shots) shooting.step();
+    CHECK(shooting.radiosities_with_ambient()[0].r == near(1 / (1 - s * s), 1e-14));
+}
+
+TEST_CASE("the patch with most power shoots first, which is not the brightest one if that is small") {
+    // 0.9 from four fifths of a sphere; of its own light it gets back 0.5 * 0.8 at once.
+    const auto          system = inside_of_a_sphere({{0.5, 1, 1}, {0.5, 0.9, 4}});
+    ProgressiveShooting shooting(system);
+    shooting.step();
+    const double shot = 0.9 / (1 - 0.5 * 0.8);
+    CHECK(shooting.radiosities()[0].r == near(1 + 0.5 * 0.8 * shot, 1e-14));
+    CHECK(shooting.radiosities()[1].r == near(shot, 1e-14));
+}
+
 TEST_CASE("symmetrised factors are reciprocal, and their rows no longer sum to 1") {
     auto system = concentric_spheres(2, {0.2, 1}, {0.7, 0});
     CHECK(reciprocity_defect(system.form_factors, system.area) == 0);
