@@ -47,9 +47,11 @@ using RadiosityAt = std::function<DoubleSpectrum(const SeenPatch&)>;
 
 /// That of the whole patch. Refers to the radiosities.
 [[nodiscard]] RadiosityAt constant_radiosity(const Radiosities& radiosities);
+RadiosityAt               constant_radiosity(const Radiosities&&) = delete;  // would be gone
 
 /// As its vertices' radiosities say, see vertex_radiosity.hpp. Refers to the patches.
 [[nodiscard]] RadiosityAt interpolated_radiosity(const Patches& patches, Radiosities at_vertices);
+RadiosityAt               interpolated_radiosity(const Patches&&, Radiosities) = delete;
 
 /// The radiance B / pi, equation (8.24), of what each pixel sees [W/(m^2 sr)], as the mean of side^2 rays through the
 /// middles of a grid in it; black where nothing is. The same for any number of threads.

@@ -60,6 +60,25 @@ TEST_CASE("of two sheets back to back each is seen from its side") {
     CHECK(picture(view, camera_at(-1), constant_radiosity(B))(4, 4) == Spectrum{0, 1, 0});
 }
 
+TEST_CASE("what a radiosity refers to can't be a temporary") {
+    const auto constant = [](auto&& B) {
+        return requires {
+            constant_radiosity(std::forward<decltype(B)>(B));
+        };
+    };
+    const auto interpolated = [](auto&& patches) {
+        return requires {
+            interpolated_radiosity(std::forward<decltype(patches)>(patches), Radiosities{});
+        };
+    };
+    const Radiosities B;
+    const Patches     patches;
+    CHECK(constant(B));
+    CHECK(!constant(Radiosities{}));
+    CHECK(interpolated(patches));
+    CHECK(!interpolated(Patches{}));
+}
+
 TEST_CASE("interpolated, a slope is seen as a slope, the same for any number of threads") {
     const Patches   patches = sheet(Sides::front, 0.25);
     const PatchView view(patches);
