@@ -11,6 +11,7 @@
 
 #include "math/extremes.hpp"
 #include "sampling/hemisphere.hpp"
+#include "sampling/linear.hpp"
 #include "sampling/rng.hpp"
 #include "statistics/running.hpp"
 #include "statistics/tests.hpp"
@@ -169,6 +170,34 @@ TEST_CASE(
         }
     }
     CHECK(sample_cosine_hemisphere(Vec2{0, 0}) == Vec3{0, 0, 1});
+}
+
+TEST_CASE(
+    "linear: numbers follow their density, at 0 on one side too, and the map is undone by its inverse") {
+    for (const auto& [a, b] : {std::pair{1.0, 3.0}, {0.0, 2.0}, {2.0, 0.0}}) {
+        CAPTURE(a);
+        Rng                        rng{12, 0, 0, 0};
+        std::vector<std::uint64_t> observed(16);
+        std::vector<double>        expected(16);
+        const int                  count = 100'000;
+        for (int i = 0; i < count; ++i) {
+            const double u = rng.uniform<double>(), x = sample_linear(u, a, b);
+            CHECK(std::abs(invert_linear(x, a, b) - u) <= 1e-15);
+            ++observed.at(std::min(std::size_t(x * 16), std::size_t{15}));
+        }
+        // of a linear density, a cell's share is its width times the density in its middle
+        for (std::size_t k = 0; k < 16; ++k)
+            expected[k] = count / 16.0 * pdf_linear((double(k) + 0.5) / 16, a, b);
+        CHECK(chi_square_test(observed, expected).p > alpha);
+        for (std::size_t k = 0; k < 16; ++k)
+            expected[k] = count / 16.0 * pdf_linear((double(k) + 0.5) / 16, b + 0.1, a + 0.1);
+        CHECK(chi_square_test(observed, expected).p < 1e-6);
+    }
+    CHECK(sample_linear(0.0, 0.0, 1.0) == 0);
+    CHECK(sample_linear(1.0F, 0.0F, 1.0F) == 1);
+    CHECK(pdf_linear(0.25, 1.0, 3.0) == 0.75);
+    CHECK(pdf_linear(-0.1, 1.0, 3.0) == 0);
+    CHECK(pdf_linear(1.1, 1.0, 3.0) == 0);
 }
 
 TEST_CASE("hemisphere: directions follow the cosine") {
