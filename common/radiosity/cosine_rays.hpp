@@ -18,7 +18,8 @@ class CosineRays {
 public:
     explicit CosineRays(const Patches& patches);
 
-    /// Row i by side^2 rays, whose points and directions are stratified. What meets a patch from behind is lost.
+    /// Row i [1] by side^2 rays, whose points and directions are stratified. What meets a patch from behind is lost. The
+    /// standard error of F is at most about sqrt(F (1 - F)) / side: the smaller F, the larger a share of it.
     /// @pre side >= 1
     [[nodiscard]] std::vector<double> row(std::size_t i, int side, Rng& rng) const;
 

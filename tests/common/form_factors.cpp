@@ -441,6 +441,8 @@ TEST_CASE(
     CHECK(std::abs(rays.mean() - opposed) <= 5 * rays.standard_error());
     CHECK(std::abs(beside_rays.mean() - beside) <= 5 * beside_rays.standard_error());
     CHECK(std::abs(pairs.mean() - opposed) <= 5 * pairs.standard_error());
+    CHECK(8 * rays.standard_error() <= std::sqrt(opposed * (1 - opposed)) / 16);  // of one row, by 16^2 rays
+    CHECK(8 * beside_rays.standard_error() <= std::sqrt(beside * (1 - beside)) / 16);
     CHECK(std::abs(pairs.mean() - 1.02 * opposed) > 5 * pairs.standard_error());  // they could tell
     // From the middle of a face: a square of side 1 at the distance 1 fills 0.2394... of its base, by the contour.
     const double from_middle =
@@ -508,6 +510,8 @@ TEST_CASE("what hides a part of a square from another hides as much of the form 
     CHECK(std::abs(pairs.mean() - seen) <= 5 * pairs.standard_error());
     CHECK(std::abs(share.mean() - seen) <= 5 * share.standard_error());
     CHECK(share.standard_error() < pairs.standard_error());
+    CHECK(8 * share.standard_error() <=
+          opposed_rectangles(1, 1, 1) / (2 * 16));  // of one, by 16^2 rays; v is 1/2
     Rng rng{3, 0, 0, 0};
     CHECK(visible_share(second, between, visibility, 4, rng) == 1);
     CHECK(visible_share(first, between.reversed(), visibility, 4, rng) == 1);
