@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 
 #include "cornell_views.hpp"
 #include "known_systems.hpp"
@@ -12,9 +13,12 @@
 
 namespace sr {
 
-/// Which of the box's polygons are the short block: the five before the tall one's, which are the last.
+/// Which of the box's polygons are the short block, counted from the last one.
 [[nodiscard]] inline bool is_short_block(std::uint32_t polygon, std::size_t polygons) {
-    return polygon + 10 >= polygons && polygon + 5 < polygons;
+    for (std::size_t k = std::size(parts_of_the_box); k-- > 0; polygons -= parts_of_the_box[k].polygons)
+        if (parts_of_the_box[k].name == "short block")
+            return polygon < polygons && polygon + parts_of_the_box[k].polygons >= polygons;
+    return false;
 }
 
 inline constexpr double mirrored = 0.9;  ///< the share of the light that the block reflects, however it does
