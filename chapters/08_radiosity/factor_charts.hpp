@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstddef>
 #include <map>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -59,13 +60,24 @@ public:
         for (std::size_t i = 0; i < works.size(); ++i) points_[i].seconds *= timings[i].seconds;
     }
 
-    /// Of all methods on a chart, or of one under another name. Where nothing is left of an error, rounding is.
+    /// All methods on a chart. Where nothing is left of an error, rounding is.
     void fill(course::Chart chart) const {
-        for (const Point& point : points_) add(chart, point, point.method);
+        for (const Point& point : points_) {
+            chart.row(cells(point));
+            chart.in_ink(point.method, ink_of_method(point.method));
+        }
     }
-    void fill(course::Chart chart, const std::string& method, const std::string& series) const {
-        for (const Point& point : points_)
-            if (point.method == method) add(chart, point, series);
+
+    /// The same among other pairs: all are kept with the pair's name, and some methods drawn.
+    void fill(course::Chart chart, const std::string& pair, const std::set<std::string>& drawn) const {
+        for (const Point& point : points_) {
+            const bool        shown = drawn.contains(point.method);
+            const std::string curve = shown ? pair + ": " + point.method : "";
+            auto              row   = cells(point);
+            row.insert(row.end(), {pair, curve});
+            chart.row(row);
+            if (shown) chart.in_ink(curve, ink_of_method(point.method));
+        }
     }
 
     [[nodiscard]] FactorError error(const std::string& method, double effort) const {
@@ -92,39 +104,40 @@ private:
         FactorError error;
     };
 
-    static void add(course::Chart& chart, const Point& point, const std::string& series) {
+    static std::vector<course::Cell> cells(const Point& point) {
         constexpr double rounding = 1e-16;
-        chart.row(
-            {series, point.effort, point.seconds, std::max(point.error.value, rounding), point.error.se});
-        chart.in_ink(series, ink_of_method(point.method));
+        return {point.method, point.effort, point.seconds, std::max(point.error.value, rounding),
+                point.error.se};
     }
 
     std::vector<Point> points_;
 };
 
 [[nodiscard]] inline course::Chart factor_chart(course::Chapter& chapter, const std::string& name,
-                                                const std::string& title) {
+                                                const std::string&     title,
+                                                const course::Columns& columns = course::speed_accuracy()) {
     return chapter.chart(name, title,
                          {.x       = "time for one form factor [s]",
                           .y       = "relative error",
                           .log     = course::axis::xy,
-                          .columns = course::speed_accuracy()});
+                          .columns = columns});
 }
 
-/// The best two methods on all pairs, and all methods on each.
+/// All methods on each pair, and on all pairs, where the best two are drawn.
 [[nodiscard]] inline std::map<std::string, FactorRace> chart_form_factors(course::Chapter& chapter) {
     const int                         repeats = chapter.options().quality == course::Quality::draft ? 1 : 5;
     std::map<std::string, FactorRace> races;
     course::Progress                  progress("computing form factors", 4);
-    auto all = factor_chart(chapter, "form_factors", "Four pairs of unit squares, two methods");
+    auto                              columns = course::speed_accuracy({"pair", "curve"});
+    columns.series                            = "curve";
+    auto all = factor_chart(chapter, "form_factors", "Four pairs of unit squares, two methods", columns);
     for (const KnownPair& pair : known_pairs()) {
         const auto& race  = races.emplace(pair.name, FactorRace(pair, repeats)).first->second;
         auto        chart = factor_chart(chapter, "form_factors_" + pair.name, "Unit squares, " + pair.name);
         race.fill(chart);
         chart.caption("By chance: the root of the mean square over 32 repeats, with standard errors.");
         const std::string contour = pair.patches.size() > 2 ? "contour and rays" : "contour, adaptive";
-        race.fill(all, contour, pair.name + ": " + contour);
-        race.fill(all, "random pairs", pair.name + ": random pairs");
+        race.fill(all, pair.name, {contour, "random pairs"});
         progress.tick();
     }
     all.caption("An edge that the squares share is cut small; what is hidden takes rays.");

@@ -23,7 +23,7 @@ enum class axis { none, x, y, xy };
 /// The columns of a chart's CSV, and which of them are drawn.
 struct Columns {
     std::vector<std::string> headers;  ///< all of them, in order
-    std::string              series;   ///< rows with the same text here are one curve, labelled with it
+    std::string              series;   ///< rows of one text are a curve with that label; without, not drawn
     std::string              x;
     std::string              y;
     std::string              error = {};  ///< bars of y +- this: one standard error

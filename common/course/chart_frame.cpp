@@ -382,6 +382,7 @@ Curves curves_of(const ChartData& chart, const Rows& grouped) {
     for (std::size_t i = 0; i < grouped.rows.size(); ++i) {
         const auto&        row  = grouped.rows[i];
         const std::string& name = row[series].text();
+        if (name.empty()) continue;
         if (all.empty() || all.back().name != name)
             all.push_back({name, ink_of(chart, name, all.size()), i, i, stroke_of(chart, name),
                            chart.dashed.contains(name)});

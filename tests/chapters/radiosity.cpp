@@ -16,6 +16,11 @@ TEST_CASE("chapter 8: claims and text agree, figures have their data, renders do
         for (const auto& row : runs.check_chart(pair, speed_accuracy_columns, 33).rows)
             CHECK(row[3].number() > 0);
     }
+    const auto all = runs.check_chart(
+        "form_factors", {"method", "effort", "seconds", "error", "error_se", "pair"}, 3 * 40 + 33);
+    std::set<std::string> pairs_with_methods;
+    for (const auto& row : all.rows) pairs_with_methods.insert(row[5].text() + ": " + row[0].text());
+    CHECK(pairs_with_methods.size() == 3 * 7 + 6);
     runs.check_chart("touching", {"series", "pieces along a side of each square"}, 3 * 6);
     runs.check_chart("near_patches", {"series", "distance [sides]"}, 3 * 31);
     runs.check_chart("closure", {"series"}, 3 * 31);

@@ -215,6 +215,19 @@ TEST_CASE("what no axis can show is told with chart and curve") {
     CHECK_THROWS_WITH(bars.row({"good", 1, 0.5, 0.25, infinity}), doctest::Contains("error_se = inf"));
 }
 
+TEST_CASE("rows without a curve's name are kept, and not drawn") {
+    Chart chart{"c", "t", {.x = "x", .y = "y"}};
+    chart.add("a", 1, 1);
+    chart.add("", 2, 1000);
+    chart.add("a", 3, 3);
+    const Curves curves = curves_of(chart.data(), grouped_by_series(chart.data()));
+    REQUIRE(curves.shown.size() == 1);
+    CHECK(curves.shown[0].points == std::vector<Point>{{1, 1}, {3, 3}});
+    CHECK(curves.shown[0].last_row == 1);
+    CHECK(curves.not_shown.empty());
+    CHECK(to_csv(grouped_by_series(chart.data())) == "series,x,y\na,1,1\na,3,3\n,2,1000\n");
+}
+
 TEST_CASE("a gap interrupts the line") {
     const auto with = [](bool gap) {
         Chart chart{"c", "t", {.x = "x", .y = "y"}};
