@@ -63,6 +63,9 @@ Patch::Patch(const std::array<Point, 4>& corners, std::size_t count) : corners_(
     normal_ = normalize(twice_1 + twice_2);
     centre_ = (first * (a + b + c) + second * (a + c + d)) / (3 * (first + second));
     error_  = rounding_bound(std::max({size_of(a), size_of(b), size_of(c), size_of(d)}));
+    for (std::size_t i = 0; i < 4; ++i)
+        stretch_[i] =
+            dot(normal_, cross(corners_[(i + 1) % 4] - corners_[i], corners_[(i + 3) % 4] - corners_[i]));
 }
 
 double Patch::longest_side() const {
@@ -79,15 +82,9 @@ Patch::Point Patch::at(Vector2<double> st) const {
 }
 
 Patch::Point Patch::sample(Vector2<double> u) const {
-    const auto& [a, b, c, d] = corners_;
-    // Area per ds dt: of a plane quadrilateral it is linear in s and in t.
-    const auto area_at = [&](const Point& p, const Point& q, const Point& r) {
-        return dot(normal_, cross(q - p, r - p));
-    };
-    const double at_a = area_at(a, b, d), at_b = area_at(b, c, a), at_c = area_at(c, d, b),
-                 at_d = area_at(d, a, c);
-    const double s    = sample_linear(u.x, at_a + at_d, at_b + at_c);
-    const double t    = sample_linear(u.y, (1 - s) * at_a + s * at_b, (1 - s) * at_d + s * at_c);
+    const auto& [a, b, c, d] = stretch_;  // of a plane quadrilateral it is linear in s and in t
+    const double s           = sample_linear(u.x, a + d, b + c);
+    const double t           = sample_linear(u.y, (1 - s) * a + s * b, (1 - s) * d + s * c);
     return at({s, t});
 }
 

@@ -53,11 +53,12 @@ public:
 private:
     Patch(const std::array<Point, 4>& corners, std::size_t count);  ///< unchecked
 
-    std::array<Point, 4> corners_;
-    std::size_t          count_;
-    double               area_, error_;
-    Vector3<double>      normal_;
-    Point                centre_;
+    std::array<Point, 4>  corners_;
+    std::size_t           count_;
+    double                area_, error_;
+    std::array<double, 4> stretch_;  ///< area for each ds dt of at(), at the corners
+    Vector3<double>       normal_;
+    Point                 centre_;
 };
 
 /// Whether four points are corners of a patch: in one plane, up to the six digits that files are rounded to, and none of
