@@ -60,11 +60,9 @@ inline MeshCost dense_cost(const CornellMeshes& box, double size, const Radiosit
     Radiosities   radiosities;
     double        bytes   = 0;
     const double  seconds = course::seconds_of([&] {
-        const auto  system = system_of(patches, form_factors(patches, box.visibility));
-        GaussSeidel solver(system);
-        (void)solve(solver, 1e-4, 100);
-        radiosities = solver.radiosities();
-        bytes       = square(double(system.size())) * sizeof(double);
+        const auto system = system_of(patches, form_factors(patches, box.visibility));
+        radiosities       = solution_by(GaussSeidel(system), 1e-4, 100);
+        bytes             = square(double(system.size())) * sizeof(double);
     });
     return {"all pairs", patches.size(), seconds, bytes / mebibyte,
             relative_rms(reflected_at(box.samples, patches, radiosities), reference)};

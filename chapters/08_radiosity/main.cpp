@@ -145,10 +145,11 @@ void hierarchical(course::Chapter& chapter) {
         chapter.render(fmt::format("mesh_{}", i + 1), "Leaves where they are needed",
                        fmt::format("The {} leaves of a solution.", solutions[i].trees.leaf_count()),
                        picture_of_mesh(solutions[i], chapter.options().size, threads));
-    const auto finer = box.solution(0.001, threads);
-    claim_refinement(chapter, box, solutions, box.gathered(finer, threads));
+    const auto finer      = box.solution(0.001, threads);
+    const auto from_finer = box.gathered(finer, threads);
+    claim_refinement(chapter, box, solutions, from_finer);
     claim_walls(chapter, box, solutions.back(), finer);
-    chart_scaling(chapter, box, finer);
+    chart_scaling(chapter, box, from_finer);
 }
 
 /// 8.9  What can't it do?

@@ -46,6 +46,12 @@ template <std::floating_point T>
     return (s.r + s.g + s.b) / 3;
 }
 
+/// How far each number is from 0.
+template <std::floating_point T>
+[[nodiscard]] BasicSpectrum<T> magnitude(BasicSpectrum<T> s) {
+    return {std::abs(s.r), std::abs(s.g), std::abs(s.b)};
+}
+
 /// The number of the primary that has most; NaN if one of them is NaN.
 template <std::floating_point T>
 [[nodiscard]] T largest(BasicSpectrum<T> s) {

@@ -45,10 +45,6 @@ void check(std::span<const Polygon> polygons, const HierarchicalSettings& settin
     }
 }
 
-double largest(DoubleSpectrum s) {
-    return std::max({std::abs(s.r), std::abs(s.g), std::abs(s.b)});
-}
-
 /// A solution in the making.
 class Refinement {
 public:
@@ -82,7 +78,7 @@ public:
             for (std::size_t i = 0; i < next.size(); ++i) {
                 if (!solution_.trees[i].is_leaf()) continue;
                 const double area = solution_.trees[i].shape.area();
-                moved += area * largest(next[i] - solution_.radiosities[i]);
+                moved += area * largest(magnitude(next[i] - solution_.radiosities[i]));
                 reflected += area * largest(next[i] - solution_.trees.polygon_of(i).emission);
             }
             solution_.radiosities = std::move(next);
@@ -212,7 +208,7 @@ HierarchicalSolution hierarchical_radiosity(std::span<const Polygon> polygons, c
     check(polygons, settings);
     const double unit = unit_of_bound(polygons, settings.oracle);
     Refinement   refinement(polygons, visibility, settings);
-    for (double times = 64; times >= 1; times /= 4) {
+    for (const int times : {64, 16, 4, 1}) {
         refinement.refine(times * settings.bound * unit);
         refinement.solve();
     }

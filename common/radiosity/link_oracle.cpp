@@ -8,18 +8,13 @@
 namespace sr {
 namespace {
 
-double largest(DoubleSpectrum s) {
-    return std::max({s.r, s.g, s.b});
-}
-
 /// How far the radiosities of a node's children lie from its own; those below a leaf are one.
 DoubleSpectrum spread(const Quadtrees& trees, const Radiosities& B, std::uint32_t node) {
     DoubleSpectrum most;
     if (trees[node].is_leaf()) return most;
     for (std::size_t k = trees[node].first_child; k < trees[node].first_child + 4; ++k) {
-        const DoubleSpectrum d = B[k] - B[node];
-        most                   = {std::max(most.r, std::abs(d.r)), std::max(most.g, std::abs(d.g)),
-                                  std::max(most.b, std::abs(d.b))};
+        const DoubleSpectrum d = magnitude(B[k] - B[node]);
+        most                   = {std::max(most.r, d.r), std::max(most.g, d.g), std::max(most.b, d.b)};
     }
     return most;
 }

@@ -23,6 +23,7 @@ std::array<double, 4> visible_quarters(const Patch& a, const Patch& b, const Vis
     double                all      = 0;
     std::array<double, 4> seen{};
     for (std::size_t k = 0; k < 4; ++k) {
+        if (!(quarters[k].area() > 0)) continue;  // of a sliver
         for (const auto& [p, q] : stratified_pairs(a, quarters[k], side / 2, rng)) {
             const double weight = quarters[k].area() * form_factor_kernel(p, a.normal(), q, b.normal());
             all += weight;
