@@ -122,10 +122,10 @@ inline void claim_convergence(course::Chapter& chapter, const CubeRace& race) {
     chapter.say(table);
     for (const auto& [n, constant, smooth, gathered] :
          {std::tuple{2, 7.5, 5.2, 1.07}, {4, 4.1, 2.6, 0.53}, {6, 2.8, 1.6, 0.33}}) {
-        const auto claim = [&, n = n](std::size_t method, double percent, double digit) {
+        const auto claim = [&, pieces = n](std::size_t method, double percent, double digit) {
             const auto& of = cube_methods[method];
-            chapter.claim(fmt::format("8.6 {}, {} x {} patches a face: error [%]", of.name, n, n),
-                          {percent, 100 * race.error(n, of).value, digit / 2});
+            chapter.claim(fmt::format("8.6 {}, {} x {} patches a face: error [%]", of.name, pieces, pieces),
+                          {percent, 100 * race.error(pieces, of).value, digit / 2});
         };
         claim(0, constant, 0.1);
         claim(1, smooth, 0.1);

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 #include "radiosity/patch_view.hpp"
 #include "radiosity/point_form_factors.hpp"
@@ -46,12 +47,14 @@ struct LinksByReceiver {
 };
 
 LinksByReceiver by_receiver(const HierarchicalSolution& solution) {
-    LinksByReceiver result{solution.links, std::vector<std::size_t>(solution.trees.size() + 1)};
-    std::stable_sort(result.all.begin(), result.all.end(),
-                     [](const auto& a, const auto& b) { return a.receiver < b.receiver; });
-    for (const auto& link : result.all) ++result.first[link.receiver + 1];
-    for (std::size_t i = 1; i < result.first.size(); ++i) result.first[i] += result.first[i - 1];
-    return result;
+    const auto&              links = solution.links;
+    std::vector<std::size_t> first(solution.trees.size() + 1);
+    for (const auto& link : links) ++first[link.receiver + 1];
+    for (std::size_t i = 1; i < first.size(); ++i) first[i] += first[i - 1];
+    std::vector<RadiosityLink> sorted(links.size());
+    auto                       next = first;
+    for (const auto& link : links) sorted[next[link.receiver]++] = link;
+    return {std::move(sorted), std::move(first)};
 }
 
 /// Mean radiosity of the quarters on which rays from a point to strata of a node end, as the form factor weighs them; what
