@@ -169,7 +169,7 @@ void failures(course::Chapter& chapter) {
 
 int main(int argc, char** argv) {
     using namespace sr;
-    const course::Defaults defaults{.scene_section = "8.7"};
+    const course::Defaults defaults{.takes_seed = false, .scene_section = "8.7"};
     return course::run(argc, argv, "08_radiosity", "Radiosity", defaults, [](course::Chapter& chapter) {
         const auto own = own_scene(chapter);  // first: what is wrong with it is told before any work is done
         radiosity_equation(chapter);

@@ -8,6 +8,9 @@
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <utility>
+
+#include "radiosity/residual.hpp"
 
 namespace sr {
 namespace {
@@ -56,13 +59,35 @@ void check_row(const RadiositySystem& system, std::size_t i, double tolerance) {
                 "the form factors from patch {} sum to {}; must be 1 at most (within {}), or light is made "
                 "of nothing",
                 i, sum, tolerance));
-    const double     rho      = largest(system.reflectance[i]);
-    constexpr double rounding = 1e-12;  // of a sum of thousands
-    require(rho * sum < 1 || sum <= 1 + rounding,
-            fmt::format(
-                "patch {} reflects {} and its form factors sum to {}, which makes light of nothing; their "
-                "product must be below 1: make one of them less",
-                i, rho, sum));
+}
+
+/// Where rows sum to more than 1, a patch may send on more than it gets. That is no harm while other patches absorb more:
+/// light of 1 everywhere is followed until there is less everywhere.
+void check_bounces(const RadiositySystem& system) {
+    const std::size_t n     = system.size();
+    std::size_t       worst = 0;
+    const auto        gain  = [&](std::size_t i) {
+        return largest(system.reflectance[i]) * system.form_factors.row_sum(i);
+    };
+    for (std::size_t i = 1; i < n; ++i)
+        if (gain(i) > gain(worst)) worst = i;
+    Radiosities   light(n, {1, 1, 1});
+    constexpr int bounces = 1000;
+    double        most    = gain(worst);
+    for (int k = 1; k < bounces && !(most < 1); ++k) {
+        Radiosities next(n);
+        most = 0;
+        for (std::size_t i = 0; i < n; ++i) {
+            next[i] = system.reflectance[i] * irradiance(system.form_factors, light, i);
+            most    = max_or_nan(most, largest(next[i]));
+        }
+        light = std::move(next);
+    }
+    require(
+        most < 1,
+        fmt::format("light gets no less in {} bounces, since form factors sum to more than 1: those of "
+                    "patch {} to {}, and it reflects {}; must reflect less",
+                    bounces, worst, system.form_factors.row_sum(worst), largest(system.reflectance[worst])));
 }
 
 /// Of one primary, the patches from which no light gets to one where some is lost.
@@ -138,6 +163,7 @@ void check_system(const RadiositySystem& system, double tolerance) {
             "patches {} reflect all light, and only to each other: it never gets less, and there is no "
             "solution; one of them must have a reflectance below 1",
             names(sets.front())));
+    check_bounces(system);
 }
 
 }  // namespace sr

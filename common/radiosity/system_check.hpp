@@ -16,13 +16,12 @@ namespace sr {
 [[nodiscard]] std::vector<std::vector<std::size_t>> perfect_enclosures(const RadiositySystem& system,
                                                                        double tolerance = 1e-6);
 
-/// What passes has a solution that is light: no patch sends on more than it gets, and from each some light gets to where
-/// some is lost. Not detected are form factors that are wrong and sum to 1 or less, and rows that exceed 1 by rounding,
-/// 1e-12, where no more than that is lost elsewhere.
+/// What passes has a solution that is light: from each patch some gets to where some is lost, and where rows sum to more
+/// than 1, light still gets less with its bounces. Not detected are form factors that are wrong and sum to 1 or less.
 /// @param tolerance by how much rows of form factors may sum to more than 1
 /// @throws std::invalid_argument with patch, value and what would be right: sizes that differ; a reflectance that is
-///         not from 0 to 1; a negative or infinite form factor, emission or area; a row that sums to more than 1,
-///         or to more than a patch's reflectance makes good, rho_i sum_j F_ij >= 1; the patches of a perfect enclosure
+///         not from 0 to 1; a negative or infinite form factor, emission or area; a row that sums to more than 1;
+///         the patches of a perfect enclosure; light that gets no less because of rows above 1
 void check_system(const RadiositySystem& system, double tolerance = 1e-6);
 
 }  // namespace sr
