@@ -14,12 +14,13 @@
 
 namespace sr {
 
-/// One walk of green light, from a point of a lamp in directions drawn by their cosine, until a surface absorbs it or it
-/// leaves. `reflections` counts on which polygons it went on.
+/// One walk of green light from a lamp, in directions drawn by their cosine. `reflections` counts on which polygons it went
+/// on.
 inline void walk(const Patch& lamp, const PatchView& view, const Patches& polygons, Rng& rng,
                  std::vector<double>& reflections) {
     const double         s = rng.uniform<double>(), t = rng.uniform<double>();
     SurfacePoint<double> at = lamp.surface_point(lamp.sample({s, t}));
+    // until a surface absorbs it or it leaves
     for (;;) {
         const double u = rng.uniform<double>(), v = rng.uniform<double>();
         const auto   w    = frame_around(at.normal).to_world(sample_cosine_hemisphere(Vector2<double>{u, v}));

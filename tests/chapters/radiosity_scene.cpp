@@ -46,6 +46,6 @@ TEST_CASE("chapter 8: what radiosity can't do is refused in one line, before any
     CHECK(mirror.code == 2);
     CHECK(
         mirror.err ==
-        "08_radiosity: error: material 'floor' is not diffuse, and radiosity knows no directions; trace rays "
+        "08_radiosity: error: scene.obj: material 'floor' is not diffuse, and radiosity knows no directions; trace rays "
         "instead\n");
 }
