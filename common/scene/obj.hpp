@@ -13,10 +13,9 @@ namespace sr {
 using Note = std::function<void(std::string_view)>;
 
 /// Reads the triangles and materials of a Wavefront OBJ file and of the MTL files that it names.
-///
-/// A face of n > 3 corners becomes the fan (0,1,2), (0,2,3), ...: polygons must be convex. Faces without a
-/// material get a neutral grey of reflectance 0.8. Normals, texture coordinates, groups, smoothing, lines and points
-/// are passed over.
+///  A face of n > 3 corners becomes the fan (0,1,2), (0,2,3), ..., or if it is not convex, that from the first corner
+/// that sees it whole; a face without such a corner is refused. Faces without a material get a neutral grey of
+/// reflectance 0.8. Normals, texture coordinates, groups, smoothing, lines and points are passed over.
 ///
 /// Of a material, Ke is the emission, and `illum` says how it scatters:
 ///     2            Phong's lobe with the weight Ks and the exponent Ns, or 20 if there is none, beside a diffuse lobe

@@ -12,6 +12,8 @@
 #include <string_view>
 #include <vector>
 
+#include "math/vector.hpp"
+#include "scene/fan.hpp"
 #include "scene/mtl_check.hpp"
 #include "scene/obj_statements.hpp"
 #include "scene/obj_words.hpp"
@@ -24,14 +26,20 @@ using std::filesystem::path;
 
 /// What a face may refer to, wherever in the file it is.
 struct Known {
-    long long  vertices = 0;
-    MtlLibrary library;
+    std::vector<Vector3<double>> vertices;
+    MtlLibrary                   library;
 };
+
+Vector3<double> vertex_of(const path& file, const Statement& statement) {
+    const auto values = numbers_of(file, statement);
+    if (values.size() < 3) refuse(file, statement.line, "vertex of {} numbers; must be x y z", values.size());
+    return {values[0], values[1], values[2]};
+}
 
 Known known(const path& file, std::string_view text) {
     Known found;
     for_each_statement(text, [&](const Statement& statement) {
-        if (statement.words[0] == "v") ++found.vertices;
+        if (statement.words[0] == "v") found.vertices.push_back(vertex_of(file, statement));
         if (statement.words[0] != "mtllib") return;
         const auto        words = std::span(statement.words).subspan(1);
         const std::string name  = fmt::format("{}", fmt::join(words, " "));
@@ -83,7 +91,7 @@ struct ObjChecker {
             "l",      "lod", "maplib", "usemap", "bevel", "c_interp", "d_interp", "shadow_obj", "trace_obj"};
         const std::string_view keyword = statement.words[0];
         if (keyword == "v") {
-            add_vertex(statement);
+            add_vertex(known.vertices[std::size_t(vertices)]);
         } else if (keyword == "f") {
             add_face(statement);
         } else if (keyword == "usemtl") {
@@ -95,28 +103,34 @@ struct ObjChecker {
     }
 
 private:
-    void add_vertex(const Statement& statement) {
-        const auto values = numbers_of(file, statement);
-        if (values.size() < 3) {
-            refuse(file, statement.line, "vertex of {} numbers; must be x y z", values.size());
-        }
-        kept += fmt::format("v {} {} {}\n", values[0], values[1], values[2]);
+    void add_vertex(const Vector3<double>& position) {
+        kept += fmt::format("v {} {} {}\n", position.x, position.y, position.z);
         ++vertices;
     }
 
-    /// A polygon becomes the fan (0,1,2), (0,2,3), ...
     void add_face(const Statement& statement) {
+        const auto             words = std::span(statement.words).subspan(1);
+        const auto             all   = std::ssize(known.vertices);
         std::vector<long long> corners;
-        for (const std::string_view corner : std::span(statement.words).subspan(1)) {
-            corners.push_back(vertex_number(file, statement, corner, vertices, known.vertices));
-        }
-        if (corners.size() < 3) {
+        for (const std::string_view corner : words)
+            corners.push_back(vertex_number(file, statement, corner, vertices, all));
+        if (corners.size() < 3)
             refuse(file, statement.line, "face of {} corners; must be 3 or more", corners.size());
-        }
-        for (std::size_t i = 2; i < corners.size(); ++i) {
+        const auto first = fan_corner(positions_of(corners));
+        if (!first)
+            refuse(file, statement.line,
+                   "face of {} corners that no corner sees whole; must be cut into convex ones",
+                   corners.size());
+        std::rotate(corners.begin(), corners.begin() + std::ptrdiff_t(*first), corners.end());
+        for (std::size_t i = 2; i < corners.size(); ++i)
             kept += fmt::format("f {} {} {}\n", corners[0], corners[i - 1], corners[i]);
-        }
         ++faces;
+    }
+
+    std::vector<Vector3<double>> positions_of(const std::vector<long long>& corners) const {
+        std::vector<Vector3<double>> positions;
+        for (const long long corner : corners) positions.push_back(known.vertices[std::size_t(corner - 1)]);
+        return positions;
     }
 
     void use_material(const Statement& statement) {

@@ -104,6 +104,20 @@ TEST_CASE("obj: a polygon becomes a fan from its first corner, also one of more 
     CHECK(scene.mesh.faces[297] == Mesh<double>::Face{0, 298, 299});
 }
 
+TEST_CASE("obj: a polygon that is not convex is a fan from the first corner that sees it whole, or refused") {
+    const std::string dart =
+        "v 0 0 0\nv 2 -1 0\nv 0.5 0 0\nv 2 1 0\n";  // whose third corner is its tip inside
+    CHECK(read(dart + "f 1 2 3 4\n").mesh.faces == Faces{{0, 1, 2}, {0, 2, 3}});
+    CHECK(read(dart + "f 2 3 4 1\n").mesh.faces == Faces{{2, 3, 0}, {2, 0, 1}});
+    CHECK(read("f 2 3 4 1\n" + dart).mesh.faces == Faces{{2, 3, 0}, {2, 0, 1}});
+    const std::string comb =  // two notches, and no corner that sees into both
+        "v 0 0 0\nv 6 0 0\nv 6 3 0\nv 5 3 0\nv 4 1 0\nv 3 3 0\nv 2 1 0\nv 1 3 0\nv 0 3 0\n";
+    CHECK(complaint(comb + "f 1 2 3 4 5 6 7 8 9\n") ==
+          "test.obj:10: face of 9 corners that no corner sees whole; must be cut into convex ones");
+    for (const char* polygon : {"f 1 1 2 2\n", "f 1 2 3 2\n", "f 1 1 1 1\n"})  // without an area: as they are
+        CHECK(read(square + polygon).mesh.faces.size() == 2);
+}
+
 TEST_CASE("obj: what a text editor may do to a file changes nothing") {
     const Faces expected{{0, 1, 2}, {0, 2, 3}};
     const auto  faces = [](const std::string& bytes) { return read(bytes).mesh.faces; };
