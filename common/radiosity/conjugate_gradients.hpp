@@ -15,6 +15,7 @@ class ConjugateGradients {
 public:
     /// @throws std::invalid_argument that names two patches between which F is not reciprocal
     explicit ConjugateGradients(const RadiositySystem& system, int threads = 1);
+    explicit ConjugateGradients(const RadiositySystem&&, int = 1) = delete;  ///< it would be gone
 
     void step();
 

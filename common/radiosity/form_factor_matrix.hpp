@@ -8,12 +8,14 @@
 
 namespace sr {
 
-/// F_ij, the share of the light leaving patch i, evenly into all directions, that arrives at patch j [1]: n x n numbers,
-/// row after row.
+/// F_ij, the share of the light leaving patch i, evenly into all directions, that arrives at patch j [1]: n x n
+/// numbers, row after row. They take 8 n^2 bytes: 128 MB for 4000 patches, and 29 GB for 60 000, for which
+/// hierarchical_radiosity() is made.
 class FormFactorMatrix {
 public:
     /// Of n patches that don't see each other.
-    explicit FormFactorMatrix(std::size_t n) : n_{n}, values_(n * n) {}
+    /// @throws std::length_error if there is not so much memory, with how much it is
+    explicit FormFactorMatrix(std::size_t n);
 
     [[nodiscard]] std::size_t size() const { return n_; }
     [[nodiscard]] double&     operator()(std::size_t i, std::size_t j) { return values_[i * n_ + j]; }

@@ -11,6 +11,7 @@ namespace sr {
 /// @see Golub and Van Loan, Matrix Computations (4th edition, 2013), section 11.2
 class GaussSeidel {
 public:
+    explicit GaussSeidel(const RadiositySystem&&) = delete;  ///< it would be gone
     explicit GaussSeidel(const RadiositySystem& system)
         : system_{system}, radiosities_(system.size()), residuals_{system.emission} {}
 

@@ -4,6 +4,8 @@
 ///     const PatchView view(patches);
 ///     const auto film = picture(view, camera, constant_radiosity(B));
 ///     const auto smooth = picture(view, camera, interpolated_radiosity(patches, vertex_radiosities(patches, B)));
+/// or, along one ray:
+///     if (const auto seen = view.seen(ray)) show(constant_radiosity(B)(*seen));
 
 #include <cstdint>
 #include <functional>

@@ -22,9 +22,10 @@ DoubleSpectrum diffuse_reflectance(const Material& material) {
     for (const auto& [weight, lobe] : material.scattering.lobes()) {
         if (weight == Spectrum{}) continue;
         if (!std::holds_alternative<Diffuse<float>>(lobe))
-            throw std::invalid_argument(fmt::format(
-                "material '{}' is not diffuse, and radiosity knows no directions; trace rays instead",
-                material.name));
+            throw std::invalid_argument(
+                fmt::format("material '{}' is not diffuse, and radiosity knows no directions; make it illum "
+                            "1, or trace rays",
+                            material.name));
         sum = sum + convert<double>(weight);
     }
     return sum;

@@ -17,7 +17,8 @@ struct Polygon {
     std::uint32_t  material;     ///< in the scene
 };
 
-/// Which sides of a face shine: that to which its normal points, or both as if it were two sheets of paper.
+/// Which sides of a face shine: that to which its normal points, or both as if it were two sheets of paper. A room
+/// whose faces look outwards has form factors of 0 with `front`: its light stays behind them.
 enum class Sides { front, both };
 
 /// A scene's faces. Two triangles (a, b, c), (a, c, d) that follow each other, are of one material and make up a flat

@@ -15,6 +15,7 @@ namespace sr {
 ///      (SIGGRAPH 1988)
 class ProgressiveShooting {
 public:
+    explicit ProgressiveShooting(const RadiositySystem&&) = delete;  ///< it would be gone
     explicit ProgressiveShooting(const RadiositySystem& system);
 
     void step();
@@ -23,8 +24,8 @@ public:
     [[nodiscard]] Radiosities radiosities() const;
 
     /// The same for display: the unshot light is taken to be spread over the scene and reflected on by its mean
-    /// reflectance, equation (8.20). Never part of the solution: it gets less as that gets better. In an open scene some
-    /// of it leaves: rho_i sum_j F_ij stands for rho_i, which would be too bright. Costs n^2 for these sums.
+    /// reflectance, equation (8.20). Never part of the solution: it gets less as that gets better. In an open scene
+    /// some of it leaves: rho_i sum_j F_ij stands for rho_i, which would be too bright. Costs n^2 for these sums.
     [[nodiscard]] Radiosities radiosities_with_ambient() const;
 
     /// What is unshot.

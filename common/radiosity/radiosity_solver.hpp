@@ -55,10 +55,11 @@ template <RadiositySolver S>
 [[nodiscard]] Radiosities solution_by(S solver, double tolerance, int limit) {
     const Convergence told = solve(solver, tolerance, limit);
     if (!told.reached)
-        throw std::runtime_error(fmt::format(
-            "the residual of the radiosities is {:.2g} after {} steps; must be {} at most: is nearly "
-            "all light reflected?",
-            told.residuals.back(), told.steps(), tolerance));
+        throw std::runtime_error(
+            fmt::format("the residual of the radiosities is {:.2g} after {} steps; must be {} at most: where "
+                        "nearly all light is "
+                        "reflected, allow more steps or a larger tolerance",
+                        told.residuals.back(), told.steps(), tolerance));
     return solver.radiosities();
 }
 

@@ -13,6 +13,7 @@ class RelaxedJacobi {
 public:
     /// @throws std::invalid_argument that names the bound if the lambda is outside the stable range, see relaxation.hpp
     explicit RelaxedJacobi(const RadiositySystem& system, double lambda = 1, int threads = 1);
+    explicit RelaxedJacobi(const RadiositySystem&&, double = 1, int = 1) = delete;  ///< it would be gone
 
     void step();
 

@@ -13,6 +13,7 @@ namespace sr {
 /// @see Southwell, Relaxation Methods in Engineering Science (1940)
 class Southwell {
 public:
+    explicit Southwell(const RadiositySystem&&) = delete;  ///< it would be gone
     explicit Southwell(const RadiositySystem& system)
         : system_{system}, radiosities_(system.size()), residuals_{system.emission} {}
 

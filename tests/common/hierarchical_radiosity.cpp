@@ -9,10 +9,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
 #include "../../chapters/08_radiosity/inside_of_a_cube.hpp"
+#include "../../chapters/08_radiosity/slivers.hpp"
 #include "../../chapters/08_radiosity/unit_squares.hpp"
 #include "near.hpp"
 #include "radiosity/visible_share.hpp"
@@ -190,6 +192,34 @@ TEST_CASE("links that no ray passes are not cut as if one did") {
     CHECK(solution_of(polygons, settings).trees.leaf_count() > 2);
     polygons.push_back({Patch{{-9, -9, 0.5}, {9, -9, 0.5}, {9, 9, 0.5}, {-9, 9, 0.5}}, {}, {}, 0});
     CHECK(solution_of(polygons, settings).trees.leaf_count() == 3);
+}
+
+TEST_CASE("of a patch as narrow as rounding, the quarters' shares are finite and sum to what is seen") {
+    const auto slivers_without_a_quarter = [](double width) {
+        int without = 0;
+        for (int k = 0; k < 50; ++k) {
+            const Sliver sliver = any_sliver(k);
+            const auto   at     = [&](double s, double t, double z) {
+                return sliver.centre + sliver.frame.to_world({s, t, z});
+            };
+            const Patch          over{at(0, -1, 1), at(0, 1, 1), at(1, 1, 1), at(1, -1, 1)};
+            std::optional<Patch> narrow;
+            try {
+                narrow = Patch{at(0, 0, 0), at(1, 0, 0), at(0, width, 0)};
+            } catch (const std::invalid_argument&) {
+                continue;  // rounded to a line
+            }
+            const auto quarters = narrow->quarters();
+            without +=
+                std::any_of(quarters.begin(), quarters.end(), [](const Patch& q) { return !(q.area() > 0); });
+            Rng        rng{1, std::uint32_t(k), 0, 0};
+            const auto seen = visible_quarters(over, *narrow, visibility_of({slab(0, 1, -1, 0, 0)}), 4, rng);
+            CHECK(seen[0] + seen[1] + seen[2] + seen[3] == near(1, 1e-12));
+        }
+        return without;
+    };
+    CHECK(slivers_without_a_quarter(1e-6) == 0);
+    CHECK(slivers_without_a_quarter(1e-14) > 0);
 }
 
 TEST_CASE("rays know which quarter of a patch they see") {

@@ -144,7 +144,8 @@ TEST_CASE("a lambda that is not stable is refused, with the bound") {
         "lambda is 1.06; must be above 0 and below 1.053, or the steps of relaxed Jacobi grow",
         std::invalid_argument);
     CHECK_THROWS_AS(RelaxedJacobi(system, 0), std::invalid_argument);
-    CHECK_NOTHROW(RelaxedJacobi(two_plates({1, 1}, {0.999, 0})));  // whose bound is 1.0003
+    const auto bright = two_plates({1, 1}, {0.999, 0});
+    CHECK_NOTHROW(RelaxedJacobi{bright});  // whose bound is 1.0003
     CHECK_THROWS_AS(RelaxedJacobi(system, -0.5), std::invalid_argument);
     CHECK_THROWS_AS(RelaxedJacobi(system, std::nan("")), std::invalid_argument);
 }
