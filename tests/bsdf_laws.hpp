@@ -136,8 +136,8 @@ template <class B>
         return 0;
 }
 
-/// What a sum of two lobes scatters is what each of them does, in f, to 10^-6 of it, and of a sky that is brighter on one
-/// side, by sampling.
+/// What a sum of two lobes scatters is what each of them does, in f, to 10^-6 of it, and of a sky that is brighter on
+/// one side, by sampling.
 template <class Sum, class First, class Second>
 [[nodiscard]] std::string breaks_linearity(const Sum& sum, double a, const First& first, double b,
                                            const Second& second) {
@@ -269,8 +269,8 @@ template <class B>
     return tried > 100 ? "" : fmt::format("Jacobian: only {} draws came to something", tried);
 }
 
-/// The laws of one lobe that it breaks, by name, each with a blank behind it. Not the Jacobian: a sum of lobes has none,
-/// for its number chooses first.
+/// The laws of one lobe that it breaks, by name, each with a blank behind it. Not the Jacobian: a sum of lobes has
+/// none, for its number chooses first.
 template <class B>
 [[nodiscard]] std::string broken_laws(const B& bsdf) {
     std::string names;

@@ -13,7 +13,8 @@
 
 namespace sr {
 
-/// Of so many angles: the cosines of the refracted angle that are no number, and the answers of the core that are wrong.
+/// Of so many angles: the cosines of the refracted angle that are no number, and the answers of the core that are
+/// wrong.
 struct BorderCount {
     int school_is_nan = 0;
     int core_is_wrong = 0;

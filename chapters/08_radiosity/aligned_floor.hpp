@@ -18,8 +18,9 @@ using FloorQuad = std::array<Vector3<double>, 4>;
     return cross(p - o, q - p).y >= 0;
 }
 
-/// What is left of a quadrilateral around one in it: four more, each between two sides, or two triangles where a corner of
-/// the inner one would be turned inwards. Both run the same way round, and begin at corners that are near each other.
+/// What is left of a quadrilateral around one in it: four more, each between two sides, or two triangles where a
+/// corner of the inner one would be turned inwards. Both run the same way round, and begin at corners that are near
+/// each other.
 inline void cut_around(const FloorQuad& outer, const FloorQuad& inner, const Polygon& floor,
                        std::vector<Polygon>& pieces) {
     const auto add = [&](const Patch& shape) {

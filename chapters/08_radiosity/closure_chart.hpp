@@ -81,7 +81,8 @@ inline void chart_closure(course::Chapter& chapter) {
     return F;
 }
 
-/// Where patches of one area reflect 0.9 and the first face's emit 1: the light that is absorbed over that emitted, less 1.
+/// Where patches of one area reflect 0.9 and the first face's emit 1: the light that is absorbed over that emitted,
+/// less 1.
 [[nodiscard]] inline double energy_defect(const FormFactorMatrix& F) {
     constexpr double       rho   = 0.9;
     const std::size_t      lamps = F.size() / 6;

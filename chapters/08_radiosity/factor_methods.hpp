@@ -71,8 +71,8 @@ struct FactorMethod {
     std::function<double(double effort, Rng& rng)> compute;
 };
 
-/// Those that can be used on the pair. Without occlusion, visibility is not asked for; with it, the contour formula knows
-/// only how much would be seen, and rays say which share of it is.
+/// Those that can be used on the pair. Without occlusion, visibility is not asked for; with it, the contour formula
+/// knows only how much would be seen, and rays say which share of it is.
 /// @pre the pair and what is made of it outlive the methods
 [[nodiscard]] inline std::vector<FactorMethod> factor_methods(const KnownPair&  pair,
                                                               const Visibility& visibility,

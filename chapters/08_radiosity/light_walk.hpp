@@ -14,8 +14,8 @@
 
 namespace sr {
 
-/// One walk of green light from a lamp, in directions drawn by their cosine. `reflections` counts on which polygons it went
-/// on.
+/// One walk of green light from a lamp, in directions drawn by their cosine. `reflections` counts on which polygons
+/// it went on.
 inline void walk(const Patch& lamp, const PatchView& view, const Patches& polygons, Rng& rng,
                  std::vector<double>& reflections) {
     const double         s = rng.uniform<double>(), t = rng.uniform<double>();
@@ -31,8 +31,8 @@ inline void walk(const Patch& lamp, const PatchView& view, const Patches& polygo
     }
 }
 
-/// What each polygon reflects of its green light, B - E [W/m^2], by so many walks from the only lamp: what it emits times
-/// the share of walks that went on there, over the polygon's area. The same for any number of threads.
+/// What each polygon reflects of its green light, B - E [W/m^2], by so many walks from the only lamp: what it emits
+/// times the share of walks that went on there, over the polygon's area. The same for any number of threads.
 inline std::vector<Running> walked(const Patches& polygons, std::size_t lamp, int walks, int threads) {
     constexpr int                    blocks = 256;
     const PatchView                  view(polygons);

@@ -59,7 +59,8 @@ inline std::vector<MeshCost> mesh_costs(const CornellMeshes& box, const Radiosit
     return costs;
 }
 
-/// Figures 8.34 and 8.35. The reference is gathered from the finer solution, or, where there is time, from a still finer one.
+/// Figures 8.34 and 8.35. The reference is gathered from the finer solution, or, where there is time, from a still
+/// finer one.
 inline void chart_scaling(course::Chapter& chapter, const CornellMeshes& box, const Radiosities& from_finer) {
     const auto quality = chapter.options().quality;
     const int  threads = chapter.options().threads;

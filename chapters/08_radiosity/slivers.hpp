@@ -14,8 +14,8 @@
 
 namespace sr {
 
-/// A triangle 1 long, turned in any way and 100 from the origin, where corners are rounded as in a file of that size. It
-/// sees a unit square under 45 degrees, at the distance 1.
+/// A triangle 1 long, turned in any way and 100 from the origin, where corners are rounded as in a file of that size.
+/// It sees a unit square under 45 degrees, at the distance 1.
 struct Sliver {
     Frame<double>   frame;   ///< along the triangle, across it, and its normal
     Vector3<double> centre;  ///< of gravity

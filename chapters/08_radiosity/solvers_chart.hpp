@@ -19,8 +19,8 @@
 
 namespace sr {
 
-/// One room on a chart of error against time: each solver after 1, 2, 4, ... sweeps, timed on one thread. On a second one
-/// residual and error of three of them.
+/// One room on a chart of error against time: each solver after 1, 2, 4, ... sweeps, timed on one thread. On a second
+/// one residual and error of three of them.
 class SolverRace {
 public:
     SolverRace(course::Chart chart, course::Chart residuals, const RadiositySystem& room, int sweeps)

@@ -45,10 +45,10 @@ struct KnownPair {
     return {name, cut(polygons, 1), exact};
 }
 
-/// From one unit square to another at the distance 1, with blocking_square() in the way. Lines with the slopes (u, v) pass
-/// through both in an area (1 - |u|)(1 - |v|), and through the blocker in b(u) b(v), b being the length of x for which x
-/// and x + u lie in [0, 1] and x + u/2 in [1/4, 3/4]; their difference over pi (1 + u^2 + v^2)^2, summed up to 18 digits
-/// over slopes from -1 to 1, split at 0 and 1/2, where b has its kinks.
+/// From one unit square to another at the distance 1, with blocking_square() in the way. Lines with the slopes (u, v)
+/// pass through both in an area (1 - |u|)(1 - |v|), and through the blocker in b(u) b(v), b being the length of x for
+/// which x and x + u lie in [0, 1] and x + u/2 in [1/4, 3/4]; their difference over pi (1 + u^2 + v^2)^2, summed up
+/// to 18 digits over slopes from -1 to 1, split at 0 and 1/2, where b has its kinks.
 inline constexpr double behind_a_square = 0.099506294598984786;
 
 /// Opposed, touching at a right angle, ten sides apart, and partly hidden.

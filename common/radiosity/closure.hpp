@@ -14,12 +14,14 @@ namespace sr {
 /// @throws std::invalid_argument that names a patch that sees nothing
 [[nodiscard]] FormFactorMatrix with_normalised_rows(FormFactorMatrix form_factors);
 
-/// d_i F_ij d_j, with a number d_i for each patch such that rows add up to 1 within `tolerance`: A_i F_ij, where it is
-/// symmetric, stays so, and the factors keep both laws. Only for closed scenes: of others, the missing light is not the factors' fault.
+/// d_i F_ij d_j, with a number d_i for each patch such that rows add up to 1 within `tolerance`: A_i F_ij, where it
+/// is symmetric, stays so, and the factors keep both laws. Only for closed scenes: of others, the missing light is
+/// not the factors' fault.
 /// @throws std::invalid_argument that names a patch that sees nothing
-/// @throws std::runtime_error    if the rows are still farther off after 1000 rounds, as where the light of some patches can
-///                               only go to a smaller area than theirs
-/// @see    Knight, Ruiz and Ucar, A Symmetry Preserving Algorithm for Matrix Scaling, SIAM J. Matrix Anal. Appl. 35 (2014)
+/// @throws std::runtime_error    if the rows are still farther off after 1000 rounds, as where the light of some
+///                               patches can only go to a smaller area than theirs
+/// @see    Knight, Ruiz and Ucar, A Symmetry Preserving Algorithm for Matrix Scaling, SIAM J. Matrix Anal. Appl. 35
+///         (2014)
 [[nodiscard]] FormFactorMatrix symmetrically_scaled(FormFactorMatrix form_factors, double tolerance = 1e-12);
 
 }  // namespace sr

@@ -46,9 +46,9 @@ double at_least(double exchange, const Patch& from) {
     return std::max(exchange, 1e-3 * from.area());
 }
 
-/// `fine` is what three_points say. Two points may agree with that by chance, and both be wrong; one point, whose error is
-/// about the root of theirs, hardly does at the same time. Half of what is allowed costs a hundredth more, and of five pairs
-/// in 170 000 of the Cornell box that missed their tolerance it leaves one.
+/// `fine` is what three_points say. Two points may agree with that by chance, and both be wrong; one point, whose
+/// error is about the root of theirs, hardly does at the same time. Half of what is allowed costs a hundredth more,
+/// and of five pairs in 170 000 of the Cornell box that missed their tolerance it leaves one.
 double refined(const Patch& from, const Patch& to, double fine, double allowed, int quarterings) {
     const double by_two = std::abs(fine - by_rule(from, to, two_points));
     const double by_one = std::abs(fine - from_point(from, to, {0.5, 0.5}));
@@ -67,8 +67,8 @@ double exchange_area(const Patch& a, const Patch& b, double tolerance) {
     if (!face_each_other(a, b)) return 0;
     constexpr int most_quarterings = 8;
     const auto& [from, to]         = a.area() <= b.area() ? std::tie(a, b) : std::tie(b, a);
-    // From behind `to` nothing is seen of it. Where its surface cuts `from`, what is summed up has a kink, and jumps from
-    // 1/2 to 0 where they touch there: a whole strip in the light may lie between all points of all rules.
+    // From behind `to` nothing is seen of it. Where its surface cuts `from`, what is summed up has a kink, and jumps
+    // from 1/2 to 0 where they touch there: a whole strip in the light may lie between all points of all rules.
     const auto          parts = from.parts_before(to);
     std::vector<double> fine;
     for (const auto& part : parts) fine.push_back(by_rule(part, to, three_points));

@@ -10,8 +10,8 @@
 
 namespace sr {
 
-/// How exactly form factors are computed. Of patches that see each other whole, by the tolerance; of others, by the standard
-/// error of their visible share as well, which is at most about 1 / (2 strata).
+/// How exactly form factors are computed. Of patches that see each other whole, by the tolerance; of others, by the
+/// standard error of their visible share as well, which is at most about 1 / (2 strata).
 struct FormFactorSettings {
     double        tolerance = 1e-3;  ///< of an exchange area without visibility: see exchange_area()
     int           strata    = 4;     ///< visibility rays of a pair are the square of it

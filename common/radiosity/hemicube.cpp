@@ -14,8 +14,8 @@
 
 namespace sr {
 
-/// (8.12) at the pixels' middles, 1 / r^4 of one of the top and height / r^4 of one of a side; divided by their sum, so that
-/// the whole sky is 1 at any resolution.
+/// (8.12) at the pixels' middles, 1 / r^4 of one of the top and height / r^4 of one of a side; divided by their sum,
+/// so that the whole sky is 1 at any resolution.
 Hemicube::Hemicube(const Patches& patches, int resolution)
     : shapes_{patches.shapes}, seen_{mesh_of(patches)}, resolution_{resolution} {
     if (!(resolution >= 2 && resolution % 2 == 0))

@@ -18,8 +18,10 @@ public:
     /// @throws std::invalid_argument unless that is even and at least 2
     Hemicube(const Patches& patches, int resolution);
 
-    /// Row i [1]. What is seen from behind is lost. Of opposite faces of a cube, pixels make F wrong by up to a share of
-    /// 0.7 / resolution; and one eye by 19.8 % at any resolution, less as the square of the patch's size over its distance.
+    /// Row i [1]. What is seen from behind is lost. Of opposite faces of a cube, pixels make F wrong by up to a share
+    /// of
+    /// 0.7 / resolution; and one eye by 19.8 % at any resolution, less as the square of the patch's size over its
+    /// distance.
     [[nodiscard]] std::vector<double> row(std::size_t i) const;
 
 private:

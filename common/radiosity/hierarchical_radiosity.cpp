@@ -66,8 +66,9 @@ public:
             add_links(pairs);
     }
 
-    /// Jacobi's iteration from the radiosities that there are. A new node begins with its parent's. No step moves more than
-    /// q times as much light as the one before, q the largest reflectance: q + q^2 + ... times the last one's is to come.
+    /// Jacobi's iteration from the radiosities that there are. A new node begins with its parent's. No step moves
+    /// more than q times as much light as the one before, q the largest reflectance: q + q^2 + ... times the last
+    /// one's is to come.
     void solve() {
         constexpr int limit  = 20'000;
         const double  q      = std::min(0.99, largest_reflectance());

@@ -25,8 +25,8 @@ struct LinkError {
     double of_source;    ///< that smaller sources would mend
 };
 
-/// Equations (8.26) and (8.28). The form factor changes over a node by its size over the distance, or all at once where a part
-/// of it is hidden: over the receiver, it is wrong by that; and over a source whose parts differ, light is.
+/// Equations (8.26) and (8.28). The form factor changes over a node by its size over the distance, or all at once where
+/// a part of it is hidden: over the receiver, it is wrong by that; and over a source whose parts differ, light is.
 LinkError error_of(const RadiosityLink& link, const Quadtrees& trees, const Radiosities& B, int rays) {
     const auto [a, b]  = std::pair{link.receiver, link.source};
     const double     F = double(link.form_factor), v = link.visible();

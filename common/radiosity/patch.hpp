@@ -43,8 +43,8 @@ public:
     /// Four patches that make up this one: by the middles of its sides, of quadrilaterals also the corners' mean.
     [[nodiscard]] std::array<Patch, 4> quarters() const;
 
-    /// What of this patch lies before the surface of another one, by more than rounding: itself, or where that surface cuts
-    /// it, one patch or two; none if all lies behind.
+    /// What of this patch lies before the surface of another one, by more than rounding: itself, or where that
+    /// surface cuts it, one patch or two; none if all lies behind.
     [[nodiscard]] std::vector<Patch> parts_before(const Patch& other) const;
 
     /// The same from behind.
@@ -61,8 +61,8 @@ private:
     Point                 centre_;
 };
 
-/// Whether four points are corners of a patch: in one plane, up to the six digits that files are rounded to, and none of
-/// them turned inwards by more than rounding.
+/// Whether four points are corners of a patch: in one plane, up to the six digits that files are rounded to, and none
+/// of them turned inwards by more than rounding.
 [[nodiscard]] bool make_a_quadrilateral(const std::array<Patch::Point, 4>& corners);
 
 }  // namespace sr

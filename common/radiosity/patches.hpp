@@ -30,8 +30,8 @@ struct Patches {
 };
 
 /// Each polygon cut evenly, a quadrilateral along both its directions, a triangle into n^2 of its shape, such that no
-/// side is longer than `size` [length unit]. Of a sliver so narrow that a piece's corners round to a line, that piece is
-/// left out: its vertices stay, and no patch has them.
+/// side is longer than `size` [length unit]. Of a sliver so narrow that a piece's corners round to a line, that piece
+/// is left out: its vertices stay, and no patch has them.
 /// @throws std::invalid_argument if the size is not above 0, or asks for more than `most_patches`
 [[nodiscard]] Patches   cut(std::span<const Polygon> polygons, double size);
 inline constexpr double most_patches = 1e7;

@@ -15,8 +15,20 @@ struct PointPair {
     Patch::Point p, q;
 };
 
-/// side^2 pairs of random points: each patch is cut into side^2 strata, each of which has one point; which stratum of the
-/// one goes with which of the other is random, too.
+/// side^2 random points of a patch, one in each stratum.
+/// @pre side >= 1
+[[nodiscard]] inline std::vector<Patch::Point> stratified_points(const Patch& patch, int side, Rng& rng) {
+    std::vector<Patch::Point> points;
+    points.reserve(std::size_t(side * side));
+    for (int k = 0; k < side * side; ++k) {
+        const double x = rng.uniform<double>(), y = rng.uniform<double>();
+        points.push_back(patch.sample({(k % side + x) / side, (k / side + y) / side}));
+    }
+    return points;
+}
+
+/// side^2 pairs of random points: each patch is cut into side^2 strata, each of which has one point; which stratum of
+/// the one goes with which of the other is random, too.
 /// @pre side >= 1
 [[nodiscard]] inline std::vector<PointPair> stratified_pairs(const Patch& a, const Patch& b, int side,
                                                              Rng& rng) {

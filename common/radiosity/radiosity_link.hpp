@@ -7,7 +7,8 @@
 
 namespace sr {
 
-/// Over which one node of the quadtrees gets light from another: as one patch, from one that is its four quarters, equation (8.29).
+/// Over which one node of the quadtrees gets light from another: as one patch, from one that is its four quarters,
+/// equation (8.29).
 struct RadiosityLink {
     std::uint32_t receiver, source;
     float         form_factor;  ///< from the receiver to the source, with nothing between them [1]

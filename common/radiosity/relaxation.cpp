@@ -23,8 +23,8 @@ Radiosities jacobi_image(const RadiositySystem& system, const Radiosities& vecto
     return image;
 }
 
-/// Divides by the root of the sum of squares, for each primary, and returns it. By the largest magnitude instead, a black
-/// patch, which no product changes, would make it seem for a while that nothing changes.
+/// Divides by the root of the sum of squares, for each primary, and returns it. By the largest magnitude instead, a
+/// black patch, which no product changes, would make it seem for a while that nothing changes.
 DoubleSpectrum normalise(Radiosities& vector) {
     DoubleSpectrum squares;
     for (const auto& value : vector) squares = squares + value * value;

@@ -30,8 +30,9 @@ using Primary = double DoubleSpectrum::*;
 [[nodiscard]] double best_lambda(const Eigenvalues& eigenvalues);
 
 /// The same bound, for all three primaries, from products with F alone: mu_max by the power method, until a product
-/// changes it by less than 1e-12, or after 1000 of them. Where the largest eigenvalues lie close together it may be too
-/// large by some thousandths (of 7800 random systems six were by more than one, and none by four), see check_relaxation.
+/// changes it by less than 1e-12, or after 1000 of them. Where the largest eigenvalues lie close together it may be
+/// too large by some thousandths (of 7800 random systems six were by more than one, and none by four), see
+/// check_relaxation.
 /// @pre factors are reciprocal
 [[nodiscard]] double estimated_stable_lambda(const RadiositySystem& system, int threads = 1);
 

@@ -12,6 +12,7 @@
 
 #include "radiosity/patch_view.hpp"
 #include "radiosity/point_form_factors.hpp"
+#include "radiosity/point_pairs.hpp"
 #include "radiosity/rows.hpp"
 #include "sampling/rng.hpp"
 
@@ -57,8 +58,8 @@ LinksByReceiver by_receiver(const HierarchicalSolution& solution) {
     return {std::move(sorted), std::move(first)};
 }
 
-/// Mean radiosity of the quarters on which rays from a point to strata of a node end, as the form factor weighs them; what
-/// is hidden is black.
+/// Mean radiosity of the quarters on which rays from a point to strata of a node end, as the form factor weighs them;
+/// what is hidden is black.
 DoubleSpectrum seen_from(const SurfacePoint<double>& from, std::uint32_t node,
                          const HierarchicalSolution& solution, const Visibility& visibility, int side,
                          Rng& rng) {
@@ -66,9 +67,7 @@ DoubleSpectrum seen_from(const SurfacePoint<double>& from, std::uint32_t node,
     const bool     is_leaf = solution.trees[node].is_leaf();
     double         all     = 0;
     DoubleSpectrum seen;
-    for (int k = 0; k < side * side; ++k) {
-        const double x = rng.uniform<double>(), y = rng.uniform<double>();
-        const auto   q      = to.sample({(k % side + x) / side, (k / side + y) / side});
+    for (const auto& q : stratified_points(to, side, rng)) {
         const double weight = form_factor_kernel(from.position, from.normal, q, to.normal());
         all += weight;
         if (weight > 0 && visibility.between(from, to.surface_point(q)))

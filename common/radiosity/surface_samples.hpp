@@ -28,8 +28,9 @@ struct SurfaceSample {
                                        const Radiosities& radiosities);
 
 /// The same as the polygon's own point receives it over all links of the leaf there and of the nodes above it: their
-/// sources' form factors are exact from a point, and rays to each find what is hidden, and in which quarter. A step of Jacobi's iteration
-/// at a point: errors of the sources are averaged out, and no patch is in the way of the receiver's shadow's edge.
+/// sources' form factors are exact from a point, and rays to each find what is hidden, and in which quarter. A step of
+/// Jacobi's iteration at a point: errors of the sources are averaged out, and no patch is in the way of the receiver's
+/// shadow's edge.
 /// @param strata  the square of it is the number of rays to a source; lamps get 16 times as many
 /// @pre   strata >= 1
 /// @see   Lischinski, Tampieri and Greenberg, Combining Hierarchical Radiosity and Discontinuity Meshing (1993)

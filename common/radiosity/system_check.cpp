@@ -10,6 +10,7 @@
 #include <string>
 #include <utility>
 
+#include "math/extremes.hpp"
 #include "radiosity/residual.hpp"
 
 namespace sr {
@@ -47,9 +48,8 @@ void check_patch(const RadiositySystem& system, std::size_t i) {
             fmt::format("the area of patch {} is {}; must be above 0, and finite", i, system.area[i]));
 }
 
-void check_row(const RadiositySystem& system, std::size_t i, double tolerance) {
-    const auto& form_factors = system.form_factors;
-    const auto  row          = form_factors.row(i);
+void check_row(const FormFactorMatrix& form_factors, std::size_t i, double tolerance) {
+    const auto row = form_factors.row(i);
     for (std::size_t j = 0; j < row.size(); ++j)
         require(row[j] >= 0 && row[j] <= largest_finite,
                 fmt::format("the form factor from patch {} to patch {} is {}; must be 0 to 1", i, j, row[j]));
@@ -61,8 +61,8 @@ void check_row(const RadiositySystem& system, std::size_t i, double tolerance) {
                 i, sum, tolerance));
 }
 
-/// Where rows sum to more than 1, a patch may send on more than it gets. That is no harm while other patches absorb more:
-/// light of 1 everywhere is followed until there is less everywhere.
+/// Where rows sum to more than 1, a patch may send on more than it gets. That is no harm while other patches absorb
+/// more: light of 1 everywhere is followed until there is less everywhere.
 void check_bounces(const RadiositySystem& system) {
     const std::size_t n     = system.size();
     std::size_t       worst = 0;
@@ -155,7 +155,7 @@ void check_system(const RadiositySystem& system, double tolerance) {
     check_sizes(system);
     for (std::size_t i = 0; i < system.size(); ++i) {
         check_patch(system, i);
-        check_row(system, i, tolerance);
+        check_row(system.form_factors, i, tolerance);
     }
     const auto sets = perfect_enclosures(system, tolerance);
     if (!sets.empty())

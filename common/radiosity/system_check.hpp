@@ -16,8 +16,9 @@ namespace sr {
 [[nodiscard]] std::vector<std::vector<std::size_t>> perfect_enclosures(const RadiositySystem& system,
                                                                        double tolerance = 1e-6);
 
-/// What passes has a solution that is light: from each patch some gets to where some is lost, and where rows sum to more
-/// than 1, light still gets less with its bounces. Not detected are form factors that are wrong and sum to 1 or less.
+/// What passes has a solution that is light: from each patch some gets to where some is lost, and where rows sum to
+/// more than 1, light still gets less with its bounces. Not detected are form factors that are wrong and sum to 1 or
+/// less.
 /// @param tolerance by how much rows of form factors may sum to more than 1
 /// @throws std::invalid_argument with patch, value and what would be right: sizes that differ; a reflectance that is
 ///         not from 0 to 1; a negative or infinite form factor, emission or area; a row that sums to more than 1;

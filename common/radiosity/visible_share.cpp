@@ -37,9 +37,7 @@ std::array<double, 4> visible_quarters(const Patch& a, const Patch& b, const Vis
 double visible_share(const SurfacePoint<double>& from, const Patch& to, const Visibility& visibility,
                      int side, Rng& rng) {
     double all = 0, seen = 0;
-    for (int k = 0; k < side * side; ++k) {
-        const double x = rng.uniform<double>(), y = rng.uniform<double>();
-        const auto   q      = to.sample({(k % side + x) / side, (k / side + y) / side});
+    for (const auto& q : stratified_points(to, side, rng)) {
         const double weight = form_factor_kernel(from.position, from.normal, q, to.normal());
         all += weight;
         if (weight > 0 && visibility.between(from, to.surface_point(q))) seen += weight;

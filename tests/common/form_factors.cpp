@@ -274,7 +274,8 @@ TEST_CASE("C7: disks inscribed in a sphere") {
 }
 
 TEST_CASE("C8, C10, C13: spheres, from points of what faces them") {
-    // From a disk of radius 1 at the distance h: the mean over its area, 2 int s ds; by reciprocity A_disk / A_sphere as much.
+    // From a disk of radius 1 at the distance h: the mean over its area, 2 int s ds; by reciprocity A_disk / A_sphere
+    // as much.
     const auto to_sphere = [](double aside, double h, double r) {
         return projected_solid_angle(Sphere<double>{{aside, 0, h}, r}).value() / pi;
     };

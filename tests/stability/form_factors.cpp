@@ -1,6 +1,5 @@
-/// @file form_factors.cpp
-/// Form factors of patches that touch, that are near, and that are far: rows S27, S28, S29 and S30. And rows that do not add
-/// up to 1: S38. The textbook's forms are those that chapter 8 charts.
+/// @file form_factors.cpp Form factors of patches that touch, that are near, and that are far: rows S27, S28, S29 and
+/// S30. And rows that do not add up to 1: S38. The textbook's forms are those that chapter 8 charts.
 
 #include <doctest/doctest.h>
 
@@ -96,7 +95,8 @@ TEST_CASE("S38: rows that add up to 1 + e give B = 1 / (1 - rho (1 + e)); scaled
         CHECK(radiosity_in_cube(symmetrically_scaled(F), rho) == near(1 / (1 - rho), 1e-10));
         CHECK(radiosity_in_cube(with_normalised_rows(F), rho) == near(1 / (1 - rho), 1e-10));
     }
-    // The last row: 0.99 (1 + 0.02) is above 1, and bounces have no end. What solves the equations is no light: refused.
+    // The last row: 0.99 (1 + 0.02) is above 1, and bounces have no end. What solves the equations is no light:
+    // refused.
     const auto            F      = cube_with_defect(0.02);
     const RadiositySystem bright = grey_system(std::vector<GreyPatch>(6, {0.99, 1}),
                                                [&](std::size_t i, std::size_t j) { return F(i, j); });
