@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 
+#include <array>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -44,6 +45,12 @@ TEST_CASE("sizes, reflectances, emissions, areas and form factors are checked, e
     auto sizes = good;
     sizes.area.push_back(1);
     CHECK(refusal(sizes) == "the system has 2 rows of form factors for 3 areas; there must be as many");
+    sizes = good;
+    sizes.reflectance.pop_back();
+    CHECK(refusal(sizes) == "the system has 1 reflectances for 2 areas; there must be as many");
+    sizes = good;
+    sizes.emission.pop_back();
+    CHECK(refusal(sizes) == "the system has 1 emissions for 2 areas; there must be as many");
     CHECK(refusal({FormFactorMatrix(0), {}, {}, {}}) == "the system has no patches; must be at least one");
 
     const auto with = [](const auto& change) {
@@ -53,6 +60,10 @@ TEST_CASE("sizes, reflectances, emissions, areas and form factors are checked, e
     };
     CHECK(with([](auto& s) { s.reflectance[1].g = 1.25; }) ==
           "the reflectance of patch 1 is (0.5, 1.25, 0.5); must be 0 to 1");
+    CHECK(with([](auto& s) { s.reflectance[0].r = std::nextafter(1, 2); }) ==
+          "the reflectance of patch 0 is (1.0000000000000002, 0.5, 0.5); must be 0 to 1");
+    CHECK(with([](auto& s) { s.reflectance[0].b = -0.5; }) ==
+          "the reflectance of patch 0 is (0.5, 0.5, -0.5); must be 0 to 1");
     CHECK(with([](auto& s) { s.reflectance[1].b = std::nan(""); }) ==
           "the reflectance of patch 1 is (0.5, 0.5, nan); must be 0 to 1");
     CHECK(with([](auto& s) { s.emission[0].r = -1; }) ==
@@ -60,6 +71,12 @@ TEST_CASE("sizes, reflectances, emissions, areas and form factors are checked, e
     CHECK(with([](auto& s) { s.emission[0].r = HUGE_VAL; }) ==
           "the emission of patch 0 is (inf, 1, 1); must be 0 or more, and finite");
     CHECK(with([](auto& s) { s.area[1] = 0; }) == "the area of patch 1 is 0; must be above 0, and finite");
+    CHECK(with([](auto& s) { s.area[0] = HUGE_VAL; }) ==
+          "the area of patch 0 is inf; must be above 0, and finite");
+    CHECK(with([](auto& s) { s.area[0] = std::nan(""); }) ==
+          "the area of patch 0 is nan; must be above 0, and finite");
+    CHECK(with([](auto& s) { s.form_factors(1, 0) = HUGE_VAL; }) ==
+          "the form factor from patch 1 to patch 0 is inf; must be 0 to 1");
     CHECK(with([](auto& s) { s.form_factors(0, 1) = -0.5; }) ==
           "the form factor from patch 0 to patch 1 is -0.5; must be 0 to 1");
     CHECK(with([](auto& s) { s.form_factors(1, 1) = std::nan(""); }) ==
@@ -74,6 +91,7 @@ TEST_CASE("a row may sum to more than 1 by what its factors are known to be wron
     system.form_factors(0, 1) = 1.005;
     CHECK(refusal(system, 0.01) == "accepted");
     CHECK(refusal(system, 0.001) != "accepted");
+    CHECK(refusal(system, std::nan("")) != "accepted");
 }
 
 TEST_CASE("but not by so much that the patch sends on more than there is: the solution would be negative") {
@@ -97,6 +115,25 @@ TEST_CASE("but not by so much that the patch sends on more than there is: the so
         coloured.reflectance[0].*primary = 0.88;
         CHECK(refusal(coloured, 0.3) == "accepted");
     }
+}
+
+TEST_CASE("the patch that sends on more than it gets is named, wherever it is") {
+    auto plates               = two_plates({0.9, 1}, {0.89, 1});
+    plates.form_factors(1, 0) = 1.25;
+    CHECK(refusal(plates, 0.3) ==
+          "light gets no less in 1000 bounces, since form factors sum to more than 1: those of patch 1 to "
+          "1.25, and it reflects 0.89; must reflect less");
+}
+
+TEST_CASE(
+    "light that gets more on its way is followed to where it is lost, in as many bounces as that takes") {
+    // Each patch sees the next one, and the last one is black: the first one's light is there after nine bounces.
+    constexpr std::size_t  n = 10;
+    std::vector<GreyPatch> white(n, {1, 1});
+    white.back().reflectance = 0;
+    const auto chain =
+        grey_system(white, [](std::size_t i, std::size_t j) { return j == i + 1 ? 1.005 : 0; });
+    CHECK(refusal(chain, 0.01) == "accepted");
 }
 
 TEST_CASE("computed rows may exceed 1 where a white patch sees dark ones") {
@@ -141,4 +178,19 @@ TEST_CASE("rows that make as much light as the patch takes are perfect as well")
     const auto gains = grey_system({{0.999, 1}, {0.999, 1}},
                                    [](std::size_t i, std::size_t j) { return i == j ? 0 : 1.005; });
     CHECK(perfect_enclosures(gains, 0.01) == Sets{{0, 1}});
+}
+
+TEST_CASE("a perfect enclosure is all that its light goes to and comes from, in order") {
+    const auto sets = [](const auto& factor) {
+        return perfect_enclosures(grey_system(std::vector<GreyPatch>(3, {1, 1}), factor));
+    };
+    const auto to = [](std::size_t a, std::size_t b, std::size_t c) {  // each sees one
+        return [=](std::size_t i, std::size_t j) { return j == std::array{a, b, c}[i] ? 1 : 0; };
+    };
+    CHECK(sets(to(1, 2, 2)) == Sets{{0, 1, 2}});   // all of it ends in a hollow, the last one, and
+    CHECK(sets(to(0, 0, 1)) == Sets{{0, 1, 2}});   // the first one
+    CHECK(sets([](std::size_t i, std::size_t j) {  // two that see each other by the third alone
+              if (i == 2) return j == 2 ? 0.0 : 0.5;
+              return j == 2 ? 1.0 : 0.0;
+          }) == Sets{{0, 1, 2}});
 }
