@@ -591,6 +591,14 @@ TEST_CASE("scaling keeps reciprocity and makes rows add up to 1; normalising the
     CHECK_THROWS_WITH_AS((void)symmetrically_scaled(star), doctest::Contains("is the scene closed"),
                          std::runtime_error);
     blind(0, 1) = std::nan("");
+    blind(1, 0) = 1;
     CHECK_THROWS_AS((void)symmetrically_scaled(blind), std::invalid_argument);
-    CHECK(!(closure_defect(blind) <= 1));
+    CHECK_THROWS_AS((void)with_normalised_rows(blind), std::invalid_argument);
+    CHECK(std::isnan(closure_defect(blind)));
+    for (const double sum : {0.75, 1.25}) {
+        blind(0, 1) = sum;
+        CHECK(closure_defect(blind) == 0.25);
+    }
+    blind(0, 1) = blind(1, 0) = HUGE_VAL;
+    CHECK_THROWS_AS((void)symmetrically_scaled(blind), std::runtime_error);
 }
