@@ -61,6 +61,8 @@ TEST_CASE("D14: two plates, the largest stable lambda: exact, estimated, and saf
         CHECK(estimated_stable_lambda(system) == near(bound, 1e-6));
         CHECK(safe_lambda(system) <= bound * (1 + 1e-15));
         CHECK(safe_lambda(system) >= 1);
+        CHECK_THROWS_AS(check_relaxation(system, bound * (1 + 1e-9)), std::invalid_argument);
+        CHECK_NOTHROW(check_relaxation(system, 0.99 * bound));
     }
 }
 
@@ -134,6 +136,7 @@ TEST_CASE("the eigenvalues of factors that are not reciprocal may be complex, an
     const double bound = 2 * 1.4 / (1 + 0.8 + 0.64);  // 2 Re mu / |mu|^2 of mu = 1 + rho/2 +- i rho sqrt(3)/2
     CHECK(largest_stable_lambda(mu) == near(bound, 1e-12));
     CHECK(spectral_radius(mu, bound) == near(1, 1e-12));
+    CHECK(largest_stable_lambda({1, {-0.1, 2}}) == 0);  // the error along the second grows with any step
 }
 
 TEST_CASE("a lambda that is not stable is refused, with the bound") {
@@ -148,4 +151,14 @@ TEST_CASE("a lambda that is not stable is refused, with the bound") {
     CHECK_NOTHROW(RelaxedJacobi{bright});  // whose bound is 1.0003
     CHECK_THROWS_AS(RelaxedJacobi(system, -0.5), std::invalid_argument);
     CHECK_THROWS_AS(RelaxedJacobi(system, std::nan("")), std::invalid_argument);
+}
+
+TEST_CASE("nothing is known of eigenvalues of which one is NaN, wherever it is") {
+    const double nan = std::nan("");
+    for (const Eigenvalues& lost :
+         {Eigenvalues{nan, 1, 0.5}, Eigenvalues{1, nan, 0.5}, Eigenvalues{1, 0.5, nan}}) {
+        CHECK(std::isnan(spectral_radius(lost, 1)));
+        CHECK(std::isnan(largest_stable_lambda(lost)));
+        CHECK(std::isnan(best_lambda(lost)));
+    }
 }
