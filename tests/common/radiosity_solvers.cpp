@@ -16,6 +16,7 @@
 
 #include "../../chapters/08_radiosity/known_systems.hpp"
 #include "law.hpp"
+#include "math/extremes.hpp"
 #include "near.hpp"
 #include "radiosity/conjugate_gradients.hpp"
 #include "radiosity/direct_solution.hpp"
@@ -119,7 +120,7 @@ double largest_difference(const Radiosities& a, const Radiosities& b) {
     double largest = 0;
     for (std::size_t i = 0; i < a.size(); ++i)
         for (const double d : {a[i].r - b[i].r, a[i].g - b[i].g, a[i].b - b[i].b})
-            if (!(std::abs(d) <= largest)) largest = std::abs(d);  // so that a NaN is the largest
+            largest = max_or_nan(largest, std::abs(d));
     return largest;
 }
 
@@ -233,6 +234,48 @@ TEST_CASE("the solution is the same to the bit on any number of threads") {
     CHECK(residuals(system, system.emission, 1) == residuals(system, system.emission, 0));
 }
 
+TEST_CASE("sizes of residuals are the largest of one over the largest of the other, in the worst primary") {
+    const Radiosities whole{{2, 4, 0}, {-4, 1, 0}};
+    CHECK(relative_size({{-3, 2, 0}, {1, 2, 0}}, whole) == near(0.75, 1e-15));
+    CHECK(relative_size({{1, -1, 0}, {2, 3, 0}}, whole) == near(0.75, 1e-15));
+    CHECK(relative_size({{}, {}}, whole) == 0);
+    CHECK(relative_size({{0, 0, 1}, {}}, whole) == HUGE_VAL);  // where no light is emitted, any is too much
+    const double nan = std::nan("");
+    for (const DoubleSpectrum& lost :
+         {DoubleSpectrum{nan, 0, 0}, DoubleSpectrum{0, nan, 0}, DoubleSpectrum{0, 0, nan}}) {
+        CHECK(std::isnan(relative_size({lost, {1, 1, 0}}, whole)));
+        CHECK(std::isnan(relative_size(whole, {lost, {1, 1, 1}})));
+    }
+}
+
+TEST_CASE("a solver's residual is what the equations miss, over the largest emission") {
+    check_law(
+        "of Jacobi, Southwell and conjugate gradients",
+        [] {
+            const auto seed   = *rc::gen::arbitrary<std::uint32_t>();
+            const auto system = random_system(seed, *rc::gen::inRange<std::size_t>(1, 12));
+            const auto knows  = [&](auto solver, int steps) {
+                for (int i = 0; i < steps; ++i) solver.step();
+                const double known =
+                    relative_size(residuals(system, solver.radiosities(), 1), system.emission);
+                return std::abs(solver.residual() - known) <= 1e-12;
+            };
+            for (const int steps : {0, 1, 3}) {
+                RC_ASSERT(knows(RelaxedJacobi(system, 0.7), steps));
+                RC_ASSERT(knows(Southwell(system), steps));
+                RC_ASSERT(knows(ConjugateGradients(system), steps));
+            }
+        },
+        200);
+    // A lamp of 4 between plates that reflect a half. Gauss and Seidel's second plate knows of it at its first turn:
+    // each sweep adds two bounces. What is unshot is half as much with each shot.
+    const auto          plates = two_plates({0.5, 4}, {0.5, 0});
+    GaussSeidel         swept(plates);
+    ProgressiveShooting shooting(plates);
+    CHECK(solve(swept, 0.1, 10).residuals == std::vector<double>{1, 1, 0.25, 0.0625});
+    CHECK(solve(shooting, 0.1, 10).residuals == std::vector<double>{1, 0.5, 0.25, 0.125, 0.0625});
+}
+
 TEST_CASE("a solver says how it came along, and stops at its limit, or at NaN") {
     const auto    system = two_plates({0.5, 1}, {0.5, 1});
     RelaxedJacobi solver(system);
@@ -240,6 +283,10 @@ TEST_CASE("a solver says how it came along, and stops at its limit, or at NaN") 
     CHECK_FALSE(told.reached);
     CHECK(told.steps() == 4);
     CHECK(told.residuals == std::vector<double>{1, 0.5, 0.25, 0.125, 0.0625});
+    RelaxedJacobi as_far(system);
+    const auto    enough = solve(as_far, 0.25, 4);  // no more than the tolerance, and not less
+    CHECK(enough.reached);
+    CHECK(enough.steps() == 2);
 
     const auto    broken = two_plates({0.5, std::nan("")}, {0.5, 1});
     RelaxedJacobi lost(broken);
@@ -296,7 +343,7 @@ TEST_CASE("the ambient term is the whole truth in a room of one colour that is l
 
 TEST_CASE("the ambient term is the whole truth inside a sphere, whatever its pieces are like") {
     // All pieces get the same: H = sum A_j B_j / A, so that H = mean E + (mean rho) H, the means by area.
-    const auto                system = inside_of_a_sphere({{0.2, 1, 1}, {0.7, 0, 3}});
+    const auto                system = inside_of_a_sphere({{0.2, 1, 2}, {0.7, 0, 6}});
     const double              H      = 0.25 / (1 - (0.2 + 3 * 0.7) / 4);
     const ProgressiveShooting at_once(system);
     const auto                shown = at_once.radiosities_with_ambient();
@@ -325,6 +372,13 @@ TEST_CASE("the patch with most power shoots first, which is not the brightest on
     CHECK(shooting.radiosities()[1].r == near(shot, 1e-14));
 }
 
+TEST_CASE("Southwell's patch has the largest residual of one primary; the one that shoots, of all in sum") {
+    auto system     = two_plates({0.5, 0}, {0.5, 0});
+    system.emission = {{1, 0, 0}, {0.6, 0.6, 0.6}};
+    CHECK(after(Southwell(system), 1) == Radiosities{{1, 0, 0}, {}});
+    CHECK(after(ProgressiveShooting(system), 1) == Radiosities{{1.3, 0.3, 0.3}, {0.6, 0.6, 0.6}});
+}
+
 TEST_CASE("symmetrised factors are reciprocal, and their rows no longer sum to 1") {
     auto system = concentric_spheres(2, {0.2, 1}, {0.7, 0});
     CHECK(reciprocity_defect(system.form_factors, system.area) == 0);
@@ -350,4 +404,22 @@ TEST_CASE("form factors of more patches than memory holds are refused with how m
         std::length_error);
     CHECK(FormFactorMatrix{3}.row(2).size() == 3);
     CHECK(FormFactorMatrix{0}.size() == 0);
+}
+
+TEST_CASE("what is not reciprocal is wrong by a share of the smaller area, either way, and never NaN") {
+    auto  system = concentric_spheres(2, {0.2, 1}, {0.7, 0});
+    auto& F      = system.form_factors;
+    CHECK_NOTHROW(check_reciprocity(F, system.area, 0));
+    F(1, 0) = 0.24;
+    for (const double unit : {1.0, 0.01}) {
+        const std::vector<double> area{unit, 4 * unit};
+        CHECK(reciprocity_defect(F, area) == near(0.04, 1e-12));
+    }
+    F(1, 0) = 0.25 * (1 + 1e-8);
+    CHECK_THROWS_AS(check_reciprocity(F, system.area), std::invalid_argument);
+    F(1, 0) = 0.25 * (1 + 1e-10);
+    CHECK_NOTHROW(check_reciprocity(F, system.area));
+    F(1, 0) = std::nan("");
+    CHECK(std::isnan(reciprocity_defect(F, system.area)));
+    CHECK_THROWS_AS(check_reciprocity(F, system.area), std::invalid_argument);
 }
