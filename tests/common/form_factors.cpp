@@ -6,6 +6,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
@@ -601,4 +602,48 @@ TEST_CASE("scaling keeps reciprocity and makes rows add up to 1; normalising the
     }
     blind(0, 1) = blind(1, 0) = HUGE_VAL;
     CHECK_THROWS_AS((void)symmetrically_scaled(blind), std::runtime_error);
+}
+
+TEST_CASE("from middle to middle the second area counts, as points or as a disk; and nothing from behind") {
+    const Patch from = level_square(), to = level(2, 1, 3).reversed();  // their middles are (1/2, 0, 3) apart
+    CHECK(point_form_factor(from, to) == near(2 * 9 / (pi * square(9.25)), 1e-14));
+    CHECK(disk_form_factor(from, to) == near(9 / 9.25 * 2 / (pi * 9.25 + 2), 1e-14));
+    for (const auto& method : {point_form_factor, disk_form_factor}) {
+        CHECK(method(from, to.reversed()) == 0);
+        CHECK(method(from.reversed(), to) == 0);
+        CHECK(method(from.reversed(), to.reversed()) == 0);
+    }
+}
+
+TEST_CASE("patches face each other if each lies before the other's surface; pieces of a wall do not") {
+    const Patch floor = level_square(), above = level_square(1);
+    CHECK(face_each_other(floor, above.reversed()));
+    CHECK(face_each_other(floor, upright_square()));
+    CHECK(!face_each_other(floor, above));
+    CHECK(!face_each_other(above, floor));
+    CHECK(!face_each_other(floor.reversed(), above));
+    const auto pieces = pieces_of(Patch{{1, 0, 0.1}, {0, 1, 0.3}, {0.1, 0.2, 1}}, 8);
+    for (const auto& a : pieces)
+        for (const auto& b : pieces) CHECK(!face_each_other(a, b));
+}
+
+TEST_CASE("random pairs count each quarter of a patch, and the whole of it, by its area") {
+    const Patch      from = level_square(), to = Patch{{0, 0, 1}, {3, 0, 1}, {1, 1, 1}, {0, 1, 1}}.reversed();
+    const Visibility open{Mesh<double>{}};
+    const double     all = exchange_area(from, to, 1e-6);
+    std::array<Running, 4> shares;
+    Running                whole;
+    for (int repeat = 0; repeat < 64; ++repeat) {
+        Rng        rng{6, repeat, 0, 0};
+        const auto seen = visible_quarters(from, to, open, 16, rng);
+        for (std::size_t k = 0; k < 4; ++k) shares[k].add(seen[k]);
+        whole.add(sampled_form_factor(from, to, open, 16, rng));
+    }
+    for (std::size_t k = 0; k < 4; ++k) {
+        const double expected = exchange_area(from, to.quarters()[k], 1e-6) / all;
+        CHECK(std::abs(shares[k].mean() - expected) <= 5 * shares[k].standard_error());
+        CHECK(shares[k].standard_error() <= 2e-3);  // without areas they are off by 0.027 to 0.1
+    }
+    CHECK(std::abs(whole.mean() - all) <= 5 * whole.standard_error());  // the first one's area is 1
+    CHECK(whole.standard_error() <= 0.01 * all);
 }
