@@ -22,7 +22,7 @@ Pair worst_pair(const FormFactorMatrix& form_factors, std::span<const double> ar
         for (std::size_t j = 0; j < i; ++j) {
             const double there = area[i] * form_factors(i, j), back = area[j] * form_factors(j, i);
             const double defect = std::abs(there - back) / std::min(area[i], area[j]);
-            if (!(defect <= worst.defect)) worst = {i, j, defect};
+            if (defect > worst.defect || std::isnan(defect)) worst = {i, j, defect};
         }
     }
     return worst;

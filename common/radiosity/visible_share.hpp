@@ -12,8 +12,8 @@ namespace sr {
 
 /// Of the light that would pass between two patches, the share that nothing keeps from it [0, 1]: a quotient of sums
 /// over side^2 stratified pairs of points, which count as (8.5) weighs them. It is 1 and 0 exactly where all points
-/// or none see each other. Its standard error is at most about sqrt(v (1 - v)) / side, where v is the share, and less
-/// by what strata save: of half a square, 1.2 % of the share by 4096 rays.
+/// or none see each other, and 1 where there is no light to pass. Its standard error is at most about sqrt(v (1 - v))
+/// / side, where v is the share, and less by what strata save: of half a square, 1.2 % of the share by 4096 rays.
 /// @pre side >= 1, the patches face each other
 [[nodiscard]] double visible_share(const Patch& a, const Patch& b, const Visibility& visibility, int side,
                                    Rng& rng);

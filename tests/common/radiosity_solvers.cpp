@@ -422,4 +422,8 @@ TEST_CASE("what is not reciprocal is wrong by a share of the smaller area, eithe
     F(1, 0) = std::nan("");
     CHECK(std::isnan(reciprocity_defect(F, system.area)));
     CHECK_THROWS_AS(check_reciprocity(F, system.area), std::invalid_argument);
+
+    FormFactorMatrix three(3);
+    three(1, 0) = std::nan("");  // and pairs after it are fine
+    CHECK(std::isnan(reciprocity_defect(three, std::vector<double>{1, 1, 1})));
 }
