@@ -142,12 +142,19 @@ void note_unused(std::string_view name, const Values& given, const Defaults& def
     if (!defaults.takes_seed) note("--seed", no_seed);
 }
 
-/// A command line taken apart; of its values no more is known than that none is empty.
+/// A command line taken apart; of its values no more is known than that none is empty, or the next option.
 struct Parts {
     Values                   values;  ///< of the known options that were given
     std::vector<std::string> rest;
     bool                     help = false;
 };
+
+/// @param what  "must follow"
+[[noreturn]] void refuse_value(const CommandOption& option, std::string_view given, std::string_view what) {
+    const std::string right = option.help.substr(0, option.help.find(" ["));  // the default is no help here
+    throw std::invalid_argument(
+        fmt::format("{}{}: {} {}: {}", option.name, given, option.value, what, right));
+}
 
 /// @pre argv[0] is the program or the command
 Parts take_apart(int argc, const char* const* argv, const std::vector<CommandOption>& known, bool verbatim) {
@@ -170,16 +177,15 @@ Parts take_apart(int argc, const char* const* argv, const std::vector<CommandOpt
     } catch (const CLI::ArgumentMismatch& error) {
         const std::string message = error.what();  // "--size: ..."
         for (const CommandOption& option : known)
-            if (message.starts_with(option.name + ":"))
-                throw std::invalid_argument(fmt::format("{}: {} must follow", option.name, option.value));
+            if (message.starts_with(option.name + ":")) refuse_value(option, "", "must follow");
         throw;
     }
-    for (const CommandOption& option : known)
-        if (app.count(option.name) != 0) parts.values[option.name] = texts[option.name];
-    for (const CommandOption& option : known)
-        if (!option.value.empty() && parts.values.contains(option.name) && texts[option.name].empty())
-            throw std::invalid_argument(
-                fmt::format("{0} '': {1} must not be empty; see --help", option.name, option.value));
+    for (const CommandOption& option : known) {
+        if (app.count(option.name) == 0) continue;
+        const std::string& value = parts.values[option.name] = texts[option.name];
+        if (value.starts_with("--")) refuse_value(option, "", "must follow");  // and not the next option
+        if (!option.value.empty() && value.empty()) refuse_value(option, " ''", "must not be empty");
+    }
     parts.rest = app.remaining();
     return parts;
 }

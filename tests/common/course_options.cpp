@@ -67,16 +67,25 @@ TEST_CASE("what is wrong is told in one line with exit code 2") {
         {{"--size", "99999999999999999999"},
          "--size 99999999999999999999: the image's edge must be 16 to 8192 pixels"},
         {{"--size", "nan"}, "--size nan: the image's edge must be 16 to 8192 pixels"},
-        {{"--size", ""}, "--size '': N must not be empty; see --help"},
-        {{"--size"}, "--size: N must follow"},
+        {{"--size", ""}, "--size '': N must not be empty: longer edge of a render in pixels"},
+        {{"--size"}, "--size: N must follow: longer edge of a render in pixels"},
         {{"--samples", "0"}, "--samples 0: the number of samples must be 1 to 1000000"},
         {{"--threads", "0"}, "--threads 0: the number of threads must be 1 to 1024"},
         {{"--seed", "-1"}, "--seed -1: the seed must be a whole number from 0 to 18446744073709551615"},
-        {{"--out", ""}, "--out '': DIR must not be empty; see --help"},
-        {{"--out="}, "--out: DIR must follow"},
+        {{"--out", ""}, "--out '': DIR must not be empty: folder of the figures"},
+        {{"--out="}, "--out: DIR must follow: folder of the figures"},
+        {{"--out", "--size", "64"}, "--out: DIR must follow: folder of the figures"},
+        {{"--quality"}, "--quality: Q must follow: draft, lecture or print"},
+        {{"--samples"}, "--samples: N must follow: samples per pixel of a render"},
+        {{"--threads"}, "--threads: N must follow: threads to use"},
+        {{"--seed"},
+         "--seed: N must follow: start of the random numbers of all that is drawn; with others claims may "
+         "fail"},
         {{"--quality", "best"}, "--quality best: the quality must be draft, lecture or print"},
         {{"--format", "gif"}, "--format gif: the formats must be of svg, png, pdf, tex, separated by commas"},
-        {{"--format", ""}, "--format '': LIST must not be empty; see --help"},
+        {{"--format", ""}, "--format '': LIST must not be empty: of svg, png, pdf, tex, separated by commas"},
+        {{"--format", "--out", "X"},
+         "--format: LIST must follow: of svg, png, pdf, tex, separated by commas"},
         {{"--siez", "4"}, "--siez: unknown option; did you mean --size?; see --help"},
         {{"--bananas"}, "--bananas: unknown option; see --help"},
         {{"-q"}, "-q: unknown option; see --help"},
@@ -116,6 +125,9 @@ TEST_CASE("a scene is an option where a section renders one, and must be a file 
     CHECK(told({"--help"}).out.find("--scene") == std::string::npos);
     CHECK(told({"--scene", "no.obj"}, renders).err ==
           "01_rays: error: --scene no.obj: no such file; must be an OBJ file\n");
+    CHECK(told({"--scene"}, renders).err ==
+          "01_rays: error: --scene: FILE must follow: OBJ file: section 1.2 renders it, the others keep "
+          "their own scenes\n");
     const Ended ended = told({"--scene", folder.c_str()}, renders);
     CHECK(ended.err == "01_rays: error: --scene " + folder + ": is no regular file; must be an OBJ file\n");
     CHECK(ended.code == 2);
@@ -240,7 +252,7 @@ TEST_CASE("a mistaken command is told in one line with exit code 2") {
                  {{"run", "--size", "3"}, "--size: unknown option; see --help"},
                  {{"bench", "rays", "--foo"}, "--foo: unknown option; see --help"},
                  {{"docs", "now"}, "now: unknown word; see --help"},
-                 {{"bench", "--csv"}, "--csv: FILE must follow"}};
+                 {{"bench", "--csv"}, "--csv: FILE must follow: c"}};
     for (const auto& c : cases) {
         const Ended ended = in_child([&] { return give(c.words).code; });
         CHECK(ended.err == "course: error: " + std::string{c.line} + "\n");
