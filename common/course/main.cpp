@@ -239,6 +239,18 @@ std::string purpose_of(const fs::path& topic) {
     return first_line_after(topic.extension() == ".cpp" ? "/// " : "# ", topic);
 }
 
+/// All of that comment: what is measured, and what the columns are.
+std::string comment_of(const fs::path& topic) {
+    const std::string mark = topic.extension() == ".cpp" ? "///" : "#";
+    std::ifstream     file(topic);
+    std::string       text;
+    for (std::string line; std::getline(file, line) && line.starts_with(mark);) {
+        line.erase(0, mark.size() + 1);
+        if (!line.starts_with("@")) text += (text.empty() ? "" : "\n") + line;
+    }
+    return text;
+}
+
 int list_topics() {
     course::Rows table{{"topic", "what it measures"}};
     for (const fs::path& file : topics()) table.add({file.stem().string(), purpose_of(file)});
@@ -341,11 +353,12 @@ int main(int argc, char** argv) {
           .rest_name = "[NAME...]",
           .run       = test},
          {.name      = "bench",
-          .help      = "Measures a topic; without one, lists the topics.",
+          .help      = "Measures a topic, and `bench TOPIC --help` says what; without one, lists the topics.",
           .rest      = Rest::words,
           .rest_name = "[TOPIC]",
           .options   = {{"--csv", "FILE", "write the table to FILE as well"}},
-          .run       = bench},
+          .run       = bench,
+          .help_on   = [](const Words& words) { return comment_of(topic_named(words.front())); }},
          {.name = "docs", .help = "Makes the site from the texts and the code.", .run = docs},
          {.name = "list", .help = "Lists the chapters and their titles.", .run = list},
          {.name = "doctor",

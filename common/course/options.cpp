@@ -173,6 +173,7 @@ Parts take_apart(int argc, const char* const* argv, const std::vector<CommandOpt
         app.parse(argc, argv);
     } catch (const CLI::CallForHelp&) {
         parts.help = true;
+        parts.rest = app.remaining();
         return parts;
     } catch (const CLI::ArgumentMismatch& error) {
         const std::string message = error.what();  // "--size: ..."
@@ -235,7 +236,8 @@ int parse_and_call(int argc, const char* const* argv, std::string usage, const C
     if (parts.help) {
         if (!command.rest_name.empty()) usage += " " + command.rest_name;
         if (!known.empty()) usage += " [option...]";
-        print_help(usage, command.help, known);
+        const bool of_words = command.help_on && !parts.rest.empty();
+        print_help(usage, of_words ? command.help_on(parts.rest) : command.help, known);
         return 0;
     }
     check_rest(command, known, parts.rest);

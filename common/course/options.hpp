@@ -100,6 +100,9 @@ struct Command {
     std::vector<CommandOption>           options      = {};
     bool                                 takes_shared = false;  ///< --size ... are checked here, to pass on
     std::function<int(const Arguments&)> run;
+
+    /// What `bench rays --help` says first, where the help is that of the words; none: `help`.
+    std::function<std::string(const std::vector<std::string>& words)> help_on = {};
 };
 
 /// A program that is one command: parses, calls it and returns its exit code; help and mistakes as below.

@@ -60,6 +60,18 @@ TEST_CASE("each command has its help") {
     }
 }
 
+TEST_CASE(
+    "each benchmark's help is the comment at its head: what is measured, its columns, and how long that "
+    "takes") {
+    for (const auto& file : fs::directory_iterator(source_folder / "tests" / "speed")) {
+        const Ended ended = run_course("bench " + file.path().stem().string() + " --help");
+        CHECK(ended.code == 0);
+        CHECK(contains(ended.out, "\n- `"));
+        CHECK(contains(ended.out, "It takes "));
+        CHECK_FALSE(contains(ended.out, "@file"));
+    }
+}
+
 TEST_CASE("what is mistyped is refused in one line") {
     check_refused("figure", "figures");
     check_refused("list --sizes", "--sizes");

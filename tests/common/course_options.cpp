@@ -200,7 +200,8 @@ Got give(std::vector<const char*> words) {
                           .rest      = Rest::words,
                           .rest_name = "TOPIC",
                           .options   = {{"--csv", "FILE", "c"}},
-                          .run       = keep},
+                          .run       = keep,
+                          .help_on   = [](const auto& rest) { return "of " + rest.front(); }},
                          {.name = "docs", .help = "h", .run = keep}});
     return got;
 }
@@ -270,6 +271,9 @@ TEST_CASE("without a command, and with --help, the help is shown") {
     CHECK(bench.code == 0);
     CHECK(bench.out.starts_with("h\n\nusage: course bench TOPIC [option...]\n"));
     CHECK(bench.out.find("--csv FILE") != std::string::npos);
+    const Ended rays = in_child([] { return give({"bench", "rays", "--help"}).code; });
+    CHECK(rays.code == 0);
+    CHECK(rays.out.starts_with("of rays\n\nusage: course bench TOPIC [option...]\n"));
     const Ended run = in_child([] { return give({"run", "--help"}).code; });
     CHECK(run.out.starts_with("h\n\nusage: course run NN\n"));
     const Ended figures = in_child([] { return give({"figures", "--help"}).code; });

@@ -1,4 +1,9 @@
 # Seconds that a person waits: a clean build, a second start of ./course, figures, the site.
+#
+# - `step`, `result`: what is waited for, and whether it went well. What it said lies in build/steps.
+# - `seconds`: by the clock.
+#
+# It takes a quarter of an hour and more: all is built twice, and all figures are made twice.
 include(${CMAKE_CURRENT_LIST_DIR}/../steps.cmake)
 
 set(build ${source}/build/door)

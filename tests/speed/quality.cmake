@@ -1,4 +1,9 @@
 # Is the code sound where no test looks? Clang, sanitizers, clang-tidy, and the same images from two compilers.
+#
+# - `step`, `result`: what is looked at, and whether it is sound. What it said lies in build/steps.
+# - `seconds`: by the clock.
+#
+# It takes an hour and more: all is built four times and tested twice.
 include(${CMAKE_CURRENT_LIST_DIR}/../steps.cmake)
 include(${source}/common/find_program_of.cmake)
 

@@ -1,5 +1,15 @@
 /// @file radiometry.cpp
 /// What units cost: the same sums of irradiance with quantities and with bare numbers, one thread.
+///
+/// - `sum of`: what is added up.
+/// - `ns`: nanoseconds for a small lamp, in the fastest repeat; `slowest`: in the slowest one.
+/// - `ratio`: of the time to that of bare numbers.
+/// - `code_bytes`: how long the machine code is; `same_code`: whether that of both is the same.
+///
+/// Expect a ratio of 1, and both sums to have the same bits, which is checked: units are gone when the compiler is
+/// done.
+///
+/// It takes a second.
 
 #include <algorithm>
 #include <cstddef>
