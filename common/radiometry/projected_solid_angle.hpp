@@ -74,7 +74,8 @@ template <std::floating_point T>
     T          sum      = 0;
     const auto add_edge = [&sum](const Vector3<T>& p, const Vector3<T>& q) {
         const Vector3<T> edge = q - p, normal = cross(p, edge);
-        const T          size = length(normal);
+        if (normal.z == 0) return;  // an upright plane's cosine; walls have many
+        const T size = length(normal);
         if (size != 0) sum += std::atan2(size, dot(p, p + edge)) * (normal.z / size);
     };
     std::optional<Vector3<T>> first, last;
