@@ -44,6 +44,12 @@ struct FactorError {
 /// All methods with all their efforts on one pair, timed on one thread.
 class FactorRace {
 public:
+    struct Point {
+        std::string method;
+        double      effort, seconds;
+        FactorError error;
+    };
+
     FactorRace(const KnownPair& pair, int repeats) {
         const Visibility          visibility = pair.visibility();
         const CosineRays          rays(pair.patches);
@@ -80,6 +86,8 @@ public:
         }
     }
 
+    [[nodiscard]] const std::vector<Point>& points() const { return points_; }
+
     [[nodiscard]] FactorError error(const std::string& method, double effort) const {
         for (const Point& point : points_)
             if (point.method == method && point.effort == effort) return point.error;
@@ -98,12 +106,6 @@ public:
     }
 
 private:
-    struct Point {
-        std::string method;
-        double      effort, seconds;
-        FactorError error;
-    };
-
     static std::vector<course::Cell> cells(const Point& point) {
         constexpr double rounding = 1e-16;
         return {point.method, point.effort, point.seconds, std::max(point.error.value, rounding),
