@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <functional>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -31,61 +33,90 @@ public:
           exact_(direct_solution(room)) {}
 
     void run(int repeats) {
-        const auto                solvers = solver_runs(room_);
-        std::vector<course::Work> works{{"direct", [&] { last_ = direct_solution(room_); }}};
-        std::vector<Point>        points{{1, exact_}};
-        course::Progress progress("timing the solvers", int(solvers.size()) * 2 * sweeps_ * (repeats + 1));
-        for (const auto& solver : solvers) {
-            double error = 1;
-            for (int sweeps = 1; sweeps <= sweeps_ && error > rounding; sweeps *= 2) {
-                works.push_back({solver.name, [&, sweeps] {
-                                     last_ = solver.after(sweeps);
-                                     progress.tick(sweeps);
-                                 }});
-                points.push_back({sweeps, solver.after(sweeps)});
-                error = relative_error(room_, points.back().found, exact_);
-            }
-        }
-        const auto times = course::measure(works, repeats);
-        for (std::size_t i = 0; i < times.size(); ++i) {
-            add(times[i], points[i]);
-            const std::string& name = times[i].name;
-            if (name == "Jacobi" || name == "Gauss-Seidel" || name == "conjugate gradients")
-                add_residual(times[i], points[i].found);
+        const auto solvers = solver_runs(room_);
+        try_out({"direct", 1, [&] { return direct_solution(room_); }});
+        try_out_all(solvers);
+        time(repeats);
+        for (const Point& point : points_) {
+            add(point);
+            if (point.solver == "Jacobi" || point.solver == "Gauss-Seidel" ||
+                point.solver == "conjugate gradients")
+                add_residual(point);
         }
     }
 
 private:
     struct Point {
-        int         sweeps;
-        Radiosities found;
+        std::string                  solver;
+        int                          sweeps;
+        std::function<Radiosities()> run;
+        Radiosities                  found   = {};
+        double                       seconds = 0;
     };
+
+    void try_out(Point point) {
+        point.seconds = course::seconds_of([&] { point.found = point.run(); });
+        points_.push_back(std::move(point));
+    }
+
+    /// Each solver until it has done all sweeps, or nothing is left of its error. All in turn: their sweeps take longer
+    /// or shorter.
+    void try_out_all(const std::vector<SolverRun>& solvers) {
+        course::Progress    progress("solving", int(solvers.size()) * (2 * sweeps_ - 1));
+        std::vector<double> errors(solvers.size(), 1);
+        for (int sweeps = 1; sweeps <= sweeps_; sweeps *= 2)
+            for (std::size_t k = 0; k < solvers.size(); ++k) {
+                if (errors[k] > rounding) {
+                    const auto& solver = solvers[k];
+                    try_out({solver.name, sweeps, [&solver, sweeps] { return solver.after(sweeps); }});
+                    errors[k] = relative_error(room_, points_.back().found, exact_);
+                }
+                progress.tick(sweeps);
+            }
+    }
+
+    /// How long all will take is known from the first runs.
+    void time(int repeats) {
+        const auto milliseconds = [](const Point& point) { return 1 + int(1000 * point.seconds); };
+        int        all          = 0;
+        for (const Point& point : points_) all += milliseconds(point);
+        course::Progress          progress("timing the solvers", all * repeats);
+        std::vector<course::Work> works;
+        for (const Point& point : points_)
+            works.push_back({point.solver, [&] {
+                                 last_ = point.run();
+                                 progress.tick(milliseconds(point));
+                             }});
+        const auto times = course::measure(works, repeats);
+        for (std::size_t i = 0; i < times.size(); ++i) points_[i].seconds = times[i].seconds;
+    }
 
     /// Less is no error of the solver's any more: what all are held to has as much.
     static constexpr double rounding = 1e-13;
 
-    void add(const course::Timing& time, const Point& point) {
+    void add(const Point& point) {
         const double error    = std::max(rounding, relative_error(room_, point.found, exact_));
         const double residual = relative_size(residuals(room_, point.found, 1), room_.emission);
-        chart_.row({time.name, point.sweeps, time.seconds, error, 0.0, residual, room_.reflectance[0].r});
-        chart_.in_ink(time.name, ink_of_solver(time.name));
+        chart_.row({point.solver, point.sweeps, point.seconds, error, 0.0, residual, room_.reflectance[0].r});
+        chart_.in_ink(point.solver, ink_of_solver(point.solver));
     }
 
-    void add_residual(const course::Timing& time, const Radiosities& found) {
-        const double error   = relative_error(room_, found, exact_);
-        const double missing = relative_rms(room_, residuals(room_, found, 1), exact_);
+    void add_residual(const Point& point) {
+        const double error   = relative_error(room_, point.found, exact_);
+        const double missing = relative_rms(room_, residuals(room_, point.found, 1), exact_);
         if (error < rounding) return;
         for (const auto& [what, value] : {std::pair{": error", error}, {": residual", missing}}) {
-            residuals_.add(time.name + what, time.seconds, value);
-            residuals_.in_ink(time.name + what, ink_of_solver(time.name));
+            residuals_.add(point.solver + what, point.seconds, value);
+            residuals_.in_ink(point.solver + what, ink_of_solver(point.solver));
         }
-        residuals_.as_dashed(time.name + ": residual");
+        residuals_.as_dashed(point.solver + ": residual");
     }
 
     course::Chart          chart_, residuals_;
     const RadiositySystem& room_;
     int                    sweeps_;
     Radiosities            exact_, last_;
+    std::vector<Point>     points_;
 };
 
 /// A dark, a middling and a bright room.
