@@ -8,6 +8,7 @@
 
 #include "cornell_solution.hpp"
 #include "radiosity/patch_view.hpp"
+#include "told_to.hpp"
 
 namespace sr {
 
@@ -38,8 +39,9 @@ namespace sr {
 /// One solution, looked at.
 class CornellViews {
 public:
-    CornellViews(course::Chapter& chapter, const SolvedScene& box)
-        : chapter_{chapter}, box_{box}, view_(box.patches) {}
+    /// @param progress  counts steps_of_loop for a picture
+    CornellViews(course::Chapter& chapter, const SolvedScene& box, course::Progress& progress)
+        : chapter_{chapter}, box_{box}, progress_{progress}, view_(box.patches) {}
 
     /// As the vertices' radiosities say.
     [[nodiscard]] Image<Spectrum> smooth(const Camera<double>& camera) const {
@@ -61,17 +63,20 @@ private:
     [[nodiscard]] Image<Spectrum> look(const Camera<double>& camera, const RadiosityAt& radiosity) const {
         const auto& options = chapter_.options();
         const int   side    = options.quality == course::Quality::draft ? 2 : 4;
-        return picture(view_, camera, radiosity, side, {options.threads});
+        return picture(view_, camera, radiosity, side, told_to(progress_, options.threads));
     }
 
     course::Chapter&   chapter_;
     const SolvedScene& box_;
+    course::Progress&  progress_;
     PatchView          view_;
 };
 
 /// The published picture, and two that cost nothing more than looking.
-inline void render_views(course::Chapter& chapter, const SolvedScene& box) {
-    const CornellViews views(chapter, box);
+/// @return how long the first took [s]
+inline double look_around(course::Chapter& chapter, const SolvedScene& box) {
+    course::Progress   progress("looking at the box", 4 * steps_of_loop);
+    const CornellViews views(chapter, box, progress);
     const int          size = chapter.options().size;
     const std::string  mesh = fmt::format("{} patches, shown twice as bright.", box.patches.size());
     Image<Spectrum>    smooth(1, 1);
@@ -85,13 +90,19 @@ inline void render_views(course::Chapter& chapter, const SolvedScene& box) {
         views.as_bright_as_it_is(camera_above(size)));
     chapter.render("box_corner", "From the far corner", "The same solution.",
                    views.smooth(camera_in_corner(size)));
+    return seconds;
+}
+
+inline void render_views(course::Chapter& chapter, const SolvedScene& box) {
+    const double seconds = look_around(chapter, box);
     chapter.say(fmt::format("{} patches: form factors and solution {:.2g} s, a view {:.2g} s",
                             box.patches.size(), box.seconds, seconds));
 }
 
 /// The solution as it comes along, k steps of Jacobi's method with lambda 1: the light of fewer than k bounces.
 inline void render_bounces(course::Chapter& chapter, const SolvedScene& box) {
-    const CornellViews views(chapter, box);
+    course::Progress   progress("looking at its bounces", 5 * steps_of_loop);
+    const CornellViews views(chapter, box, progress);
     const auto         light = [&](const Radiosities& radiosities) {
         double sum = 0;
         for (std::size_t i = 0; i < radiosities.size(); ++i) sum += box.system.area[i] * mean(radiosities[i]);

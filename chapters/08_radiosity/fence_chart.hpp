@@ -29,12 +29,17 @@ inline void chart_fence(course::Chapter& chapter) {
                                                                  .log = course::axis::xy}));
     const int        threads = chapter.options().threads;
     const Visibility visibility(fence());
-    const auto       points = points_of_the_floor();
-    const auto       exact  = seen_through_fence(points, visibility, threads);
-    for (const int n : {1, 2, 3, 5, 7, 10, 14, 20, 28, 40, 56, 80}) {
+    const auto       points  = points_of_the_floor();
+    const auto       exact   = seen_through_fence(points, visibility, threads);
+    const auto       meshes  = {1, 2, 3, 5, 7, 10, 14, 20, 28, 40, 56, 80};
+    int              patches = 0;
+    for (const int n : meshes) patches += n * n;
+    course::Progress progress("lighting floors", patches);
+    for (const int n : meshes) {
         const auto error = fence_error(n, points, exact, visibility, threads);
         chart.add("constant", n, percent(error.constant));
         chart.add("interpolated", n, percent(error.interpolated));
+        progress.tick(n * n);
     }
     chart.mark_x(16, "a patch for each slat and gap");
     chart.caption(

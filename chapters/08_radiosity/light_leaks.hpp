@@ -104,11 +104,12 @@ inline void chart_leaks(course::Chapter& chapter, const SolvedScene& box, const 
 
 inline void show_leaks(course::Chapter& chapter, const SolvedScene& box, const SolvedScene& aligned) {
     chart_leaks(chapter, box, aligned);
-    const int side = chapter.options().size;
+    course::Progress progress("looking at a block's foot", 2 * steps_of_loop);
+    const int        side = chapter.options().size;
     chapter.render("foot", "The foot of the short block", "A mesh that knows nothing of the block.",
-                   CornellViews(chapter, box).smooth(camera_at_foot(side)));
+                   CornellViews(chapter, box, progress).smooth(camera_at_foot(side)));
     chapter.render("foot_aligned", "The same, the floor cut along the block", "About as many patches.",
-                   CornellViews(chapter, aligned).smooth(camera_at_foot(side)));
+                   CornellViews(chapter, aligned, progress).smooth(camera_at_foot(side)));
     chapter.claim("8.7 along the floor's seam, the largest jump of the radiosity [W/m2]",
                   {0.31, jump_at_seam(aligned), 0.005});
 }

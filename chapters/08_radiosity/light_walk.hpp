@@ -7,10 +7,10 @@
 
 #include "math/frame.hpp"
 #include "radiosity/patch_view.hpp"
-#include "radiosity/rows.hpp"
 #include "sampling/hemisphere.hpp"
 #include "sampling/rng.hpp"
 #include "statistics/running.hpp"
+#include "told_to.hpp"
 
 namespace sr {
 
@@ -36,8 +36,9 @@ inline void walk(const Patch& lamp, const PatchView& view, const Patches& polygo
 inline std::vector<Running> walked(const Patches& polygons, std::size_t lamp, int walks, int threads) {
     constexpr int                    blocks = 256;
     const PatchView                  view(polygons);
+    course::Progress                 progress("walking with the light", steps_of_loop);
     std::vector<std::vector<double>> reflections(blocks, std::vector<double>(polygons.size()));
-    for_each_row(blocks, {.threads = threads}, [&](std::size_t block) {
+    for_each_row(blocks, told_to(progress, threads), [&](std::size_t block) {
         Rng rng{1, std::int64_t(block), 0, 0};
         for (int i = 0; i < walks / blocks; ++i)
             walk(polygons.shapes[lamp], view, polygons, rng, reflections[block]);

@@ -77,15 +77,18 @@ inline void show_mirror_block(course::Chapter& chapter) {
         return camera_towards({20, 480, 10}, {220, 130, 200}, {0, 1, 0}, 0.026, side);
     };
     const auto mirror = with_mirror(box, view, own, camera(1).position);
-    const auto look   = [&](const RadiosityAt& radiosity, int side, int rays) {
-        return picture(view, camera(side), radiosity, rays, {threads});
+    const auto look   = [&](const RadiosityAt& radiosity, int side, int rays, const RowLoop& loop) {
+        return picture(view, camera(side), radiosity, rays, loop);
     };
-    const int side = chapter.options().size;
+    course::Progress progress("looking at the mirror", 2 * steps_of_loop);
+    const RowLoop    loop = told_to(progress, threads);
+    const int        side = chapter.options().size;
     chapter.render("block_painted", "What radiosity makes of a mirror", "Grey that reflects as much.",
-                   twice_as_bright(look(own, side, 3)));
+                   twice_as_bright(look(own, side, 3, loop)));
     chapter.render("block_mirror", "Rays that end in the solution",
-                   "The same solution; the block is looked into.", twice_as_bright(look(mirror, side, 3)));
-    const auto wrong = painted_wrong(look(own, 100, 1), look(mirror, 100, 1));
+                   "The same solution; the block is looked into.",
+                   twice_as_bright(look(mirror, side, 3, loop)));
+    const auto wrong = painted_wrong(look(own, 100, 1, {threads}), look(mirror, 100, 1, {threads}));
     chapter.claim("8.9 the lamp in the mirror over the grey that is painted there", {46, wrong.lamp, 0.5});
     chapter.claim("8.9 beside it, the grey over what stands in the mirror", {3.6, wrong.rest, 0.05});
 }

@@ -46,16 +46,17 @@ inline Slope exponent(const std::vector<MeshCost>& costs, const std::string& met
 
 inline std::vector<MeshCost> mesh_costs(const CornellMeshes& box, const Radiosities& reference,
                                         const ScalingRange& range) {
-    course::Progress      progress("meshes", int(range.sizes.size() + range.bounds.size()));
-    std::vector<MeshCost> costs;
+    int steps = 0;
     for (const double size : range.sizes) {
-        costs.push_back(dense_cost(box, size, reference));
-        progress.tick();
+        const auto n = int(cut(box.polygons, size).size());
+        steps += n * (n - 1) / 2;
     }
-    for (const double bound : range.bounds) {
-        costs.push_back(hierarchical_cost(box, bound, reference));
-        progress.tick();
-    }
+    for (const double bound : range.bounds) steps += expected_links(bound);
+    course::Progress      progress("timing the meshes", steps);
+    std::vector<MeshCost> costs;
+    for (const double size : range.sizes) costs.push_back(dense_cost(box, size, reference, progress));
+    for (const double bound : range.bounds)
+        costs.push_back(hierarchical_cost(box, bound, reference, progress));
     return costs;
 }
 

@@ -144,8 +144,9 @@ private:
         constexpr std::size_t      block = 256;
         for_each_row((pairs.size() + block - 1) / block, {.threads = settings_.threads},
                      [&](std::size_t row) {
-                         for (std::size_t i = row * block; i < std::min(pairs.size(), (row + 1) * block); ++i)
-                             more[i] = link(pairs[i]);
+                         const std::size_t first = row * block, end = std::min(pairs.size(), first + block);
+                         for (std::size_t i = first; i < end; ++i) more[i] = link(pairs[i]);
+                         if (settings_.on_links) settings_.on_links(int(end - first));
                      });
         for (const auto& each : more)
             if (each.form_factor > 0) solution_.links.push_back(each);

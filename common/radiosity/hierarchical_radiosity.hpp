@@ -7,6 +7,7 @@
 ///     const Radiosities values   = solution.trees.of_leaves(solution.radiosities);
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -29,6 +30,8 @@ struct HierarchicalSettings {
     int           strata    = 4;     ///< an even number; visibility rays of a link are the square of it
     std::uint64_t seed      = 1;     ///< of the points that they start from
     int           threads   = 1;     ///< 0: one for each processor; the result is the same
+
+    std::function<void(int links)> on_links = {};  ///< told of links as they are computed, from any thread
 };
 
 /// Radiosities of all nodes, in the trees' order; node i of the first ones is polygon i.

@@ -13,7 +13,6 @@
 #include "radiosity/patch_view.hpp"
 #include "radiosity/point_form_factors.hpp"
 #include "radiosity/point_pairs.hpp"
-#include "radiosity/rows.hpp"
 #include "sampling/rng.hpp"
 
 namespace sr {
@@ -111,10 +110,10 @@ Radiosities reflected_at(std::span<const SurfaceSample> samples, const Patches& 
 }
 
 Radiosities gathered_at(std::span<const SurfaceSample> samples, const HierarchicalSolution& solution,
-                        const Visibility& visibility, int strata, int threads) {
+                        const Visibility& visibility, int strata, const RowLoop& loop) {
     const LinksByReceiver links = by_receiver(solution);
     Radiosities           result(samples.size());
-    for_each_row(samples.size(), {.threads = threads}, [&](std::size_t i) {
+    for_each_row(samples.size(), loop, [&](std::size_t i) {
         const auto& [position, normal, polygon] = samples[i];
         const auto&    trees                    = solution.trees;
         const auto     from                     = trees[polygon].shape.surface_point(position);

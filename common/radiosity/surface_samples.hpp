@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "radiosity/hierarchical_radiosity.hpp"
+#include "radiosity/rows.hpp"
 
 namespace sr {
 
@@ -36,7 +37,7 @@ struct SurfaceSample {
 /// @see   Lischinski, Tampieri and Greenberg, Combining Hierarchical Radiosity and Discontinuity Meshing (1993)
 [[nodiscard]] Radiosities gathered_at(std::span<const SurfaceSample> samples,
                                       const HierarchicalSolution& solution, const Visibility& visibility,
-                                      int strata, int threads);
+                                      int strata, const RowLoop& loop = {});
 
 /// Root mean square of the difference over that of the reference, over all samples and primaries [1].
 /// @pre as many of both

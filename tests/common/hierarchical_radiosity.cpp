@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <optional>
 #include <stdexcept>
@@ -253,7 +254,10 @@ TEST_CASE("the Cornell box: the same bits for any number of threads, and links g
     const auto       polygons = polygons_of(scene);
     const Visibility visibility{scene.mesh};
     const auto       one   = hierarchical_radiosity(polygons, visibility, {.bound = 0.01, .threads = 1});
-    const auto       seven = hierarchical_radiosity(polygons, visibility, {.bound = 0.01, .threads = 7});
+    std::atomic<int> told  = 0;
+    const auto       seven = hierarchical_radiosity(
+              polygons, visibility, {.bound = 0.01, .threads = 7, .on_links = [&](int links) { told += links; }});
+    CHECK(told > int(seven.links.size()));  // those, and all that were replaced
     CHECK(one.radiosities == seven.radiosities);
     CHECK(one.links.size() == seven.links.size());
     const auto fine     = hierarchical_radiosity(polygons, visibility, {.bound = 0.0025, .threads = 0});

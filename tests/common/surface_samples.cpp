@@ -41,8 +41,8 @@ TEST_CASE("D1: in a closed room each point reflects E rho / (1 - rho), looked up
     REQUIRE(solution.trees.leaf_count() > 6);
     const Patches     leaves = solution.trees.leaves();
     const Radiosities known(samples.size(), DoubleSpectrum{1, 1, 1});
-    const auto        gathered = gathered_at(samples, solution, visibility, 1, 2);
-    CHECK(gathered == gathered_at(samples, solution, visibility, 1, 1));
+    const auto        gathered = gathered_at(samples, solution, visibility, 1, {2});
+    CHECK(gathered == gathered_at(samples, solution, visibility, 1));
     const auto worst = [&](const Radiosities& values) {
         double most = 0;
         for (const auto& value : values) most = std::max(most, std::abs(value.g - 1));
