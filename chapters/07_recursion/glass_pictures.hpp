@@ -1,6 +1,7 @@
 #pragma once
-/// @file glass_pictures.hpp Figure 7.15: a ball of glass at sizes for which an epsilon is too large or too small, and
-/// how many pixels that costs.
+/// @file glass_pictures.hpp
+/// Figure 7.15: a ball of glass at sizes for which an epsilon is too large or too small, and how many pixels that
+/// costs.
 
 #include <fmt/format.h>
 

@@ -1,7 +1,8 @@
 #pragma once
-/// @file scene.hpp What there is to see: triangles and spheres, what each is made of, and what lights them.
-/// Quantities with units end here: a renderer adds and weighs radiances and nothing else, and types that are all
-/// alike tell nothing apart. What is emitted is a bare Spectrum, and its unit stands beside it.
+/// @file scene.hpp
+/// What there is to see: triangles and spheres, what each is made of, and what lights them. Quantities with units end
+/// here: a renderer adds and weighs radiances and nothing else, and types that are all alike tell nothing apart. What
+/// is emitted is a bare Spectrum, and its unit stands beside it.
 
 #include <cstdint>
 #include <string>

@@ -1,5 +1,6 @@
-/// @file form_factors.cpp Form factors of patches that touch, that are near, and that are far: rows S27, S28, S29 and
-/// S30. And rows that do not add up to 1: S38. The textbook's forms are those that chapter 8 charts.
+/// @file form_factors.cpp
+/// Form factors of patches that touch, that are near, and that are far: rows S27, S28, S29 and S30. And rows that do
+/// not add up to 1: S38. The textbook's forms are those that chapter 8 charts.
 
 #include <doctest/doctest.h>
 
