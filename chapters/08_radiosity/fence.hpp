@@ -35,9 +35,9 @@ inline constexpr double fence_light = 0.8 * 800;  ///< times the form factor, wh
     Mesh<double> mesh;
     for (std::uint32_t slat = 0; slat < 8; ++slat) {
         const double        x = (slat + 0.25) / 8, width = 1.0 / 16;
-        const std::uint32_t a = 4 * slat;
-        for (const auto& corner : level_patch({x, x + width}, {-1, 2}, 0.1, true).corners())
-            mesh.vertices.push_back(corner);
+        const std::uint32_t a     = 4 * slat;
+        const Patch         shape = level_patch({x, x + width}, {-1, 2}, 0.1, true);
+        for (const auto& corner : shape.corners()) mesh.vertices.push_back(corner);
         mesh.faces.push_back({a, a + 1, a + 2});
         mesh.faces.push_back({a, a + 2, a + 3});
     }

@@ -22,7 +22,8 @@ public:
     /// @throws std::invalid_argument with the corners, if they have no area, or do not make_a_quadrilateral
     Patch(const Point& a, const Point& b, const Point& c, const Point& d);
 
-    [[nodiscard]] std::span<const Point> corners() const { return {corners_.data(), count_}; }
+    [[nodiscard]] std::span<const Point> corners() const& { return {corners_.data(), count_}; }
+    void                                 corners() const&& = delete;         ///< they would be gone
     [[nodiscard]] double                 area() const { return area_; }      ///< [length unit^2]
     [[nodiscard]] const Vector3<double>& normal() const { return normal_; }  ///< unit vector to the front
     [[nodiscard]] const Point&           centre() const { return centre_; }  ///< of gravity
