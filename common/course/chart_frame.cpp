@@ -221,7 +221,7 @@ public:
         const double       half_line = line_height(label_size) / 2;  // below the topmost grid line
         for (double y = frame_.y.to - half_line - block.height() / 2; y > frame_.y.from; y -= half_line)
             if (mark.to)
-                places.push_back({(x + frame_.x(*mark.to) - block.width) / 2, y});
+                places.emplace_back((x + frame_.x(*mark.to) - block.width) / 2, y);
             else
                 places.insert(places.end(), {{x + 6, y}, {x - 6 - block.width, y}});
         const auto covered = [&](Point left) { return cost(block.at(left)); };

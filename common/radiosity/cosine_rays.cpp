@@ -7,6 +7,7 @@
 #include "geometry/offset.hpp"
 #include "math/frame.hpp"
 #include "sampling/hemisphere.hpp"
+#include "sampling/stratum.hpp"
 
 namespace sr {
 
@@ -22,11 +23,10 @@ std::vector<double> CosineRays::row(std::size_t i, int side, Rng& rng) const {
     for (int k = 0; k < count; ++k) {
         const double x = rng.uniform<double>(), y = rng.uniform<double>();
         const double u = rng.uniform<double>(), v = rng.uniform<double>();
-        const auto   p = from.sample({(k % side + x) / side, (k / side + y) / side});
+        const auto   p = from.sample(in_stratum(k, side, Vector2<double>{x, y}));
         const int    l =
             int(std::fmod(k * 0.61803398874989485 + shift, 1.0) * count) % count;  // far from k's neighbours'
-        const auto w = frame.to_world(
-            sample_cosine_hemisphere(Vector2<double>{(l % side + u) / side, (l / side + v) / side}));
+        const auto w   = frame.to_world(sample_cosine_hemisphere(in_stratum(l, side, Vector2<double>{u, v})));
         const auto hit = hierarchy_.nearest(leave(from.surface_point(p), w));
         if (!hit) continue;
         const std::size_t j = seen_.patch_of_face[hit->face];

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "radiosity/vertex_radiosity.hpp"
+#include "sampling/stratum.hpp"
 
 namespace sr {
 namespace {
@@ -52,8 +53,9 @@ Image<Spectrum> picture(const PatchView& view, const Camera<double>& camera, con
         DoubleSpectrum sum;
         // (8.24) over the pixel: L is B / pi of what is seen
         for (int k = 0; k < side * side; ++k) {
-            const double right = (k % side + 0.5) / side, down = (k / side + 0.5) / side;
-            if (const auto seen = view.seen(camera.ray({x + right, y + down}))) sum = sum + radiosity(*seen);
+            const auto in_pixel = in_stratum(k, side, Vector2<double>{0.5, 0.5});
+            if (const auto seen = view.seen(camera.ray(Vector2<double>{x, y} + in_pixel)))
+                sum = sum + radiosity(*seen);
         }
         return convert<float>(sum / (std::numbers::pi * side * side));
     };

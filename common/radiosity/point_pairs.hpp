@@ -7,6 +7,7 @@
 
 #include "radiosity/patch.hpp"
 #include "sampling/rng.hpp"
+#include "sampling/stratum.hpp"
 
 namespace sr {
 
@@ -19,10 +20,11 @@ struct PointPair {
 /// @pre side >= 1
 [[nodiscard]] inline std::vector<Patch::Point> stratified_points(const Patch& patch, int side, Rng& rng) {
     std::vector<Patch::Point> points;
-    points.reserve(std::size_t(side * side));
-    for (int k = 0; k < side * side; ++k) {
+    const int                 count = side * side;
+    points.reserve(std::size_t(count));
+    for (int k = 0; k < count; ++k) {
         const double x = rng.uniform<double>(), y = rng.uniform<double>();
-        points.push_back(patch.sample({(k % side + x) / side, (k / side + y) / side}));
+        points.push_back(patch.sample(in_stratum(k, side, Vector2<double>{x, y})));
     }
     return points;
 }
@@ -41,7 +43,7 @@ struct PointPair {
     }
     const auto point_in = [&](const Patch& patch, int k) {
         const double x = rng.uniform<double>(), y = rng.uniform<double>();
-        return patch.sample({(k % side + x) / side, (k / side + y) / side});
+        return patch.sample(in_stratum(k, side, Vector2<double>{x, y}));
     };
     std::vector<PointPair> pairs;
     pairs.reserve(std::size_t(count));

@@ -227,7 +227,7 @@ TEST_CASE("two triangles are one quadrilateral if they are flat; else they stay 
     CHECK(halves[1].reflectance == DoubleSpectrum{0, 0, 0.5});
 
     Scene part = square();  // the second triangle is half of what would make the first one a square
-    part.mesh.vertices.push_back({0.5, 1, 0});
+    part.mesh.vertices.emplace_back(0.5, 1, 0);
     part.mesh.faces       = {{0, 1, 2}, {0, 4, 3}};
     const auto with_a_gap = polygons_of(part);
     REQUIRE(with_a_gap.size() == 2);
