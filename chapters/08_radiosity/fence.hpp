@@ -10,6 +10,7 @@
 #include "radiosity/exchange_area.hpp"
 #include "radiosity/patch_view.hpp"
 #include "radiosity/visible_share.hpp"
+#include "sampling/stratum.hpp"
 
 namespace sr {
 
@@ -90,7 +91,7 @@ struct FenceError {
     for (int k = 0; k < 400; ++k) {
         Rng          rng{90, k, 0, 0};
         const double x = rng.uniform<double>(), y = rng.uniform<double>();
-        points.push_back({(k % 20 + x) / 20, (k / 20 + y) / 20, 0});
+        points.emplace_back(in_stratum(k, 20, Vector2<double>{x, y}), 0);
     }
     return points;
 }
