@@ -1,0 +1,76 @@
+/// @file main.cpp
+/// Chapter 9, Monte Carlo: integrals as means of random samples, how wrong they are, and how to be less wrong.
+
+#include "course/chapter.hpp"
+
+namespace sr {
+namespace {
+
+/// 9.1  How is an integral a mean?
+void estimators(course::Chapter& chapter) {
+    chapter.section("9.1 The estimator");
+}
+
+/// 9.2  What does light from everywhere add up to?
+void hemispheres(course::Chapter& chapter) {
+    chapter.section("9.2 Over a hemisphere");
+}
+
+/// 9.3  How does a uniform number become one of any density?
+void inversion(course::Chapter& chapter) {
+    chapter.section("9.3 Drawing from a density: inversion");
+}
+
+/// 9.4  And where the integral has no formula?
+void rejection(course::Chapter& chapter) {
+    chapter.section("9.4 Drawing from a density: rejection");
+}
+
+/// 9.5  Which density has the least variance?
+void densities(course::Chapter& chapter) {
+    chapter.section("9.5 Which density?");
+}
+
+/// 9.6  Must samples be independent?
+void patterns(course::Chapter& chapter) {
+    chapter.section("9.6 Points that know of each other");
+}
+
+/// 9.7  How fast does the error fall?
+void convergence(course::Chapter& chapter) {
+    chapter.section("9.7 Error against samples, and against time");
+}
+
+/// 9.8  What do edges and dimensions do to that?
+void dimensions(course::Chapter& chapter) {
+    chapter.section("9.8 Edges and dimensions");
+}
+
+/// 9.9  Can a program tell where to sample more, and when to stop?
+void adaptive(course::Chapter& chapter) {
+    chapter.section("9.9 Samples where they are needed");
+}
+
+/// 9.10  What can't be trusted?
+void failures(course::Chapter& chapter) {
+    chapter.section("9.10 Where it fails");
+}
+
+}  // namespace
+}  // namespace sr
+
+int main(int argc, char** argv) {
+    using namespace sr;
+    return course::run(argc, argv, "09_monte_carlo", "Monte Carlo", [](course::Chapter& chapter) {
+        estimators(chapter);
+        hemispheres(chapter);
+        inversion(chapter);
+        rejection(chapter);
+        densities(chapter);
+        patterns(chapter);
+        convergence(chapter);
+        dimensions(chapter);
+        adaptive(chapter);
+        failures(chapter);
+    });
+}
