@@ -12,18 +12,22 @@
 
 namespace sr {
 
-/// The squared errors of repeats 0, 1, ... of an estimate: their mean is the variance, if the estimate is right on
-/// average. The same to the bit for any number of threads.
-/// @param once  (std::uint64_t repeat) -> an estimate of `truth`; called from several threads
+/// What repeats 0, 1, ... give, in this order. The same to the bit for any number of threads.
+/// @param once  (std::uint64_t repeat) -> a value; called from several threads
+template <class Once>
+[[nodiscard]] auto repeated(int repeats, int threads, const Once& once) {
+    std::vector<decltype(once(std::uint64_t{0}))> values(static_cast<std::size_t>(repeats));
+    for_each_pixel(repeats, 1, {.threads = threads},
+                   [&](int x, int) { values[std::size_t(x)] = once(std::uint64_t(x)); });
+    return values;
+}
+
+/// The squared errors of the repeats of an estimate: their mean is the variance, if the estimate is right on average.
+/// @param once  as above, -> an estimate of `truth`
 template <class Once>
 [[nodiscard]] Running squared_errors(int repeats, int threads, double truth, const Once& once) {
-    std::vector<double> squares(std::size_t(repeats), 0.0);
-    for_each_pixel(repeats, 1, {.threads = threads}, [&](int x, int) {
-        const double off        = once(std::uint64_t(x)) - truth;
-        squares[std::size_t(x)] = off * off;
-    });
     Running mean;
-    for (const double square : squares) mean.add(square);
+    for (const double value : repeated(repeats, threads, once)) mean.add((value - truth) * (value - truth));
     return mean;
 }
 
