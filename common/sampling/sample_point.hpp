@@ -1,8 +1,10 @@
 #pragma once
-/// @file sample_point.hpp The numbers that one sample of a pixel is made of, as a point of a cube with as many
-/// dimensions as are asked for. Which points the samples of a pixel are together is called a pattern: SobolPoint
-/// point({.seed = 1, .x = x, .y = y, .index = k, .count = n}); const auto on_film = point.pair<float>(), on_light =
-/// point.pair<float>();
+/// @file sample_point.hpp
+/// The numbers that one sample of a pixel is made of, as a point of a cube with as many dimensions as are asked for. Which
+/// points the samples of a pixel are together is called a pattern:
+///
+///     SobolPoint point({.seed = 1, .x = x, .y = y, .index = k, .count = n});
+///     const auto on_film = point.pair<float>(), on_light = point.pair<float>();
 
 #include <concepts>
 #include <cstdint>
