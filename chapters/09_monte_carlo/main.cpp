@@ -2,6 +2,10 @@
 /// Chapter 9, Monte Carlo: integrals as means of random samples, how wrong they are, and how to be less wrong.
 
 #include "course/chapter.hpp"
+#include "density_charts.hpp"
+#include "density_claims.hpp"
+#include "density_race.hpp"
+#include "overhead_chart.hpp"
 
 namespace sr {
 namespace {
@@ -29,6 +33,17 @@ void rejection(course::Chapter& chapter) {
 /// 9.5  Which density has the least variance?
 void densities(course::Chapter& chapter) {
     chapter.section("9.5 Which density?");
+    chart_what_counts(chapter);
+    chart_exponents(chapter);
+    claim_squares(chapter);
+    claim_unseen(chapter);
+    claim_two_lamps(chapter);
+    claim_control_variates(chapter);
+    claim_two_densities(chapter);
+    chart_overhead_lamp(chapter);
+    const auto laps = race_densities(chapter.options().threads);
+    claim_densities(chapter, laps);
+    chart_densities(chapter, laps);
 }
 
 /// 9.6  Must samples be independent?

@@ -10,4 +10,10 @@ using namespace sr::test;
 TEST_CASE("chapter 9: claims and text agree, figures have their data, renders do not depend on threads") {
     const ChapterRuns runs("09_monte_carlo", "--size 64");
     runs.check_claims({});
+
+    runs.check_chart("what_counts", {"series"}, 3 * 101 + 81);
+    runs.check_chart("exponents", {"series"}, 108 + 11);
+    runs.check_chart("overhead_lamp", {"series"}, 3 * 31 + 3 * 13);
+    for (const auto& row : runs.check_chart("densities", speed_accuracy_columns, 5 * 5).rows)
+        CHECK(row[3].number() > 0);
 }
