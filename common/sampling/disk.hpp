@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <concepts>
+#include <limits>
 #include <numbers>
 
 #include "math/square.hpp"
@@ -25,7 +26,8 @@ template <std::floating_point T>
 /// 1 / (pi R^2), and 0 outside.
 template <std::floating_point T>
 [[nodiscard]] Pdf<measure::Area> pdf_disk(const Vector2<T>& p, T radius) {
-    return {dot(p, p) <= square(radius) ? 1 / (std::numbers::pi * square(double(radius))) : 0};
+    constexpr T rounding = 1 + 8 * std::numeric_limits<T>::epsilon();  // the rim belongs to the disk
+    return {dot(p, p) <= rounding * square(radius) ? 1 / (std::numbers::pi * square(double(radius))) : 0};
 }
 
 template <std::floating_point T>
