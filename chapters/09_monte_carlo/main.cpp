@@ -1,6 +1,7 @@
 /// @file main.cpp
 /// Chapter 9, Monte Carlo: integrals as means of random samples, how wrong they are, and how to be less wrong.
 
+#include "adaptive_charts.hpp"
 #include "course/chapter.hpp"
 #include "density_charts.hpp"
 #include "density_claims.hpp"
@@ -64,6 +65,11 @@ void dimensions(course::Chapter& chapter) {
 /// 9.9  Can a program tell where to sample more, and when to stop?
 void adaptive(course::Chapter& chapter) {
     chapter.section("9.9 Samples where they are needed");
+    claim_strata(chapter);
+    render_adaptive(chapter);
+    claim_adaptive(chapter);
+    chart_stopping(chapter);
+    claim_stopping(chapter);
 }
 
 /// 9.10  What can't be trusted?

@@ -16,4 +16,7 @@ TEST_CASE("chapter 9: claims and text agree, figures have their data, renders do
     runs.check_chart("overhead_lamp", {"series"}, 3 * 31 + 3 * 13);
     for (const auto& row : runs.check_chart("densities", speed_accuracy_columns, 5 * 5).rows)
         CHECK(row[3].number() > 0);
+    runs.check_chart("stopping", {"series"}, 3 * 22 + 3 * 5);
+    runs.check_chart("stopping_error", {"series"}, 3 * 22);
+    runs.check_renders(3);
 }
