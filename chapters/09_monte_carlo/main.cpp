@@ -6,7 +6,11 @@
 #include "density_charts.hpp"
 #include "density_claims.hpp"
 #include "density_race.hpp"
+#include "firefly_figures.hpp"
+#include "heavy_tail_charts.hpp"
 #include "overhead_chart.hpp"
+#include "seed_figures.hpp"
+#include "sum_charts.hpp"
 
 namespace sr {
 namespace {
@@ -75,6 +79,15 @@ void adaptive(course::Chapter& chapter) {
 /// 9.10  What can't be trusted?
 void failures(course::Chapter& chapter) {
     chapter.section("9.10 Where it fails");
+    chart_jumps(chapter);
+    chart_heavy_tails(chapter);
+    claim_clamped(chapter);
+    render_small_lamp(chapter);
+    claim_rare_hits(chapter);
+    chart_sums(chapter);
+    claim_sums(chapter);
+    render_seeds(chapter);
+    claim_seeds(chapter);
 }
 
 }  // namespace

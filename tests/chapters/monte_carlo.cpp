@@ -18,5 +18,8 @@ TEST_CASE("chapter 9: claims and text agree, figures have their data, renders do
         CHECK(row[3].number() > 0);
     runs.check_chart("stopping", {"series"}, 3 * 22 + 3 * 5);
     runs.check_chart("stopping_error", {"series"}, 3 * 22);
-    runs.check_renders(3);
+    runs.check_chart("jumps", {"series"}, 4 * 900);
+    runs.check_chart("heavy_tails", {"series"}, 5 * 6);
+    runs.check_chart("sums", {"series"}, 2 * 64);
+    runs.check_renders(9);
 }
