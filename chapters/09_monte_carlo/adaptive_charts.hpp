@@ -31,9 +31,9 @@ inline void claim_strata(course::Chapter& chapter) {
     for (const auto& [pilot, gain, error] :
          {std::tuple{2, 0.89, 0.03}, {4, 2.27, 0.05}, {8, 2.32, 0.05}, {16, 2.13, 0.05}, {32, 1.35, 0.03}}) {
         const auto squares =
-            squared_errors(4096, chapter.options().threads, 1.0 / 6, [pilot = pilot](std::uint64_t repeat) {
-                Rng rng{901, std::int64_t(repeat), pilot, 0};
-                return estimate_in_two_passes(pilot, total, rng);
+            squared_errors(4096, chapter.options().threads, 1.0 / 6, [first = pilot](std::uint64_t repeat) {
+                Rng rng{901, std::int64_t(repeat), first, 0};
+                return estimate_in_two_passes(first, total, rng);
             });
         const double seen       = even / squares.mean(),
                      seen_error = seen * squares.standard_error() / squares.mean();

@@ -38,7 +38,7 @@ inline void chart_exponents(course::Chapter& chapter) {
     }
     for (const double a : {0.5, 1.0, 1.5, 2.0, 2.5, 3.5, 4.0, 4.5, 5.0, 5.5, 5.8}) {
         const auto draw = [=](Rng& rng) { return draw_square({a}, rng); };
-        chart.add("measured", a, moments_of(std::uint64_t(10 * a), draw).variance);
+        chart.add("measured", a, moments_of(std::uint64_t(10 * a), draw, chapter.options().threads).variance);
     }
     chart.as_line("exact");
     chart.as_points("measured");

@@ -30,7 +30,7 @@ inline void claim_variances(course::Chapter& chapter, std::uint64_t stream,
     const Claims claim{chapter, "9.5"};
     course::Rows table{{"drawn by", "variance", "measured", "standard error"}};
     for (const auto& row : rows) {
-        const auto seen = moments_of(stream++, row.draw).variance;
+        const auto seen = moments_of(stream++, row.draw, chapter.options().threads).variance;
         table.add({row.name, row.exact, seen.value, seen.error});
         claim(row.name + ": variance", row.printed, row.exact, row.digit / 2);
         claim(row.name + ": variance, measured", row.measured, seen.value, row.digit / 2);

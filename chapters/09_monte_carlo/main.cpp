@@ -46,6 +46,7 @@ void densities(course::Chapter& chapter) {
     claim_control_variates(chapter);
     claim_two_densities(chapter);
     chart_overhead_lamp(chapter);
+    claim_overhead_lamp(chapter);
     const auto laps = race_densities(chapter.options().threads);
     claim_densities(chapter, laps);
     chart_densities(chapter, laps);

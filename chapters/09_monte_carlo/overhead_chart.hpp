@@ -13,17 +13,18 @@
 namespace sr {
 
 /// The deviation of one sample that is seen; of estimates that take two, theirs times the root of 2.
-/// @param draw  (Rng&) -> an estimate of 1
+/// @param samples  that one draw takes
+/// @param draw     (Rng&) -> an estimate of 1
 template <class Draw>
-[[nodiscard]] Estimate deviation_seen(std::uint64_t stream, int samples, const Draw& draw) {
-    const auto   variance  = moments_of(stream, draw).variance;
+[[nodiscard]] Estimate deviation_seen(std::uint64_t stream, int threads, int samples, const Draw& draw) {
+    const auto   variance  = moments_of(stream, draw, threads).variance;
     const double deviation = std::sqrt(samples * variance.value);
     return {deviation, samples * variance.error / (2 * deviation)};
 }
 
 [[nodiscard]] inline Estimate deviation_by_both(const OverheadLamp& lamp, Heuristic heuristic,
-                                                std::uint64_t stream) {
-    return deviation_seen(stream, 2, [&](Rng& rng) {
+                                                std::uint64_t stream, int threads) {
+    return deviation_seen(stream, threads, 2, [&](Rng& rng) {
         const auto u = draw_pair(rng), v = draw_pair(rng);
         return lamp.by_both(heuristic, u, v);
     });
@@ -32,17 +33,19 @@ template <class Draw>
 /// What the text says of it.
 inline void claim_overhead_lamp(course::Chapter& chapter) {
     const Claims       claim{chapter, "9.5"};
+    const int          threads = chapter.options().threads;
     const OverheadLamp near(0.01), far(10);
     claim("a disk at 0.01: deviation by area", 57.7, near.deviation_by_area(), 0.05);
     claim("a disk at 0.01: by solid angle", 0.566, near.deviation_by_solid_angle(), 5e-4);
     claim("a disk at 0.01: by the cosine", 0.01, near.deviation_by_cosine(), 5e-4);
     claim("a disk at 10: by area", 0.00574, far.deviation_by_area(), 5e-6);
     claim("a disk at 10: by solid angle", 0.00144, far.deviation_by_solid_angle(), 5e-6);
-    claim("a disk at 10: by both, balance", 0.14, deviation_by_both(far, Heuristic::balance, 401).value,
-          5e-3);
-    claim("a disk at 10: by both, power", 0.0082, deviation_by_both(far, Heuristic::power, 402).value, 5e-5);
-    claim("a disk at 0.01: by both, balance", 0.17, deviation_by_both(near, Heuristic::balance, 403).value,
-          5e-3);
+    claim("a disk at 10: by both, balance", 0.14,
+          deviation_by_both(far, Heuristic::balance, 401, threads).value, 5e-3);
+    claim("a disk at 10: by both, power", 0.0082,
+          deviation_by_both(far, Heuristic::power, 402, threads).value, 5e-5);
+    claim("a disk at 0.01: by both, balance", 0.17,
+          deviation_by_both(near, Heuristic::balance, 403, threads).value, 5e-3);
 }
 
 inline void chart_overhead_lamp(course::Chapter& chapter) {
@@ -57,23 +60,26 @@ inline void chart_overhead_lamp(course::Chapter& chapter) {
         chart.add("cosine", h, Estimate{lamp.deviation_by_cosine()});
         chart.add("solid angle", h, Estimate{lamp.deviation_by_solid_angle()});
     }
+    const int threads = chapter.options().threads;
     for (int i = -8; i <= 4; ++i) {
         const double       h = std::pow(10, i / 4.0);
         const OverheadLamp lamp(h);
         const auto         stream = std::uint64_t(200 + 10 * i);
         const auto         seen   = [&](std::uint64_t of, auto way) {
-            return deviation_seen(stream + of, 1, [&](Rng& rng) { return (lamp.*way)(draw_pair(rng)); });
+            return deviation_seen(stream + of, threads, 1,
+                                            [&](Rng& rng) { return (lamp.*way)(draw_pair(rng)); });
         };
         if (i >= -4) chart.add("measured", h, seen(1, &OverheadLamp::by_area));
         chart.add("measured", h, seen(2, &OverheadLamp::by_cosine));
         chart.add("measured", h, seen(3, &OverheadLamp::by_solid_angle));
-        chart.add("area and cosine, balance", h, deviation_by_both(lamp, Heuristic::balance, stream + 4));
-        chart.add("area and cosine, power", h, deviation_by_both(lamp, Heuristic::power, stream + 5));
+        chart.add("area and cosine, balance", h,
+                  deviation_by_both(lamp, Heuristic::balance, stream + 4, threads));
+        chart.add("area and cosine, power", h,
+                  deviation_by_both(lamp, Heuristic::power, stream + 5, threads));
     }
     for (const auto* way : {"area", "cosine", "solid angle"}) chart.as_line(way);
     chart.as_points("measured");
     chart.in_ink("measured", course::Ink::grey);
-    claim_overhead_lamp(chapter);
     chart.caption(
         "Lines are closed forms. Of two samples at once, the deviation is that of one pair, times the root "
         "of 2.");

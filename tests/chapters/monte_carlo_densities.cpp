@@ -42,12 +42,12 @@ TEST_CASE("H13: x^2 by powers of x") {
          {std::tuple{1.0, 4.0 / 45}, {2.0, 1.0 / 72}, {3.0, 0.0}, {4.0, 1.0 / 72}}) {
         CAPTURE(a);
         CHECK(std::abs(variance_of_square(a) - variance) <= 1e-15);
-        check_moments([a = a](Rng& rng) { return draw_square({a}, rng); }, 1.0 / 3, variance);
+        check_moments([power = a](Rng& rng) { return draw_square({power}, rng); }, 1.0 / 3, variance);
         // drawn with another power than it is divided by, or by a density 2 % too large
-        const auto wrong = [a = a](Rng& rng) {
-            return square_over_pdf({a}, PowerDensity{a + 0.1}.sample(rng.uniform<double>()));
+        const auto wrong = [power = a](Rng& rng) {
+            return square_over_pdf({power}, PowerDensity{power + 0.1}.sample(rng.uniform<double>()));
         };
-        const auto scaled = [a = a](Rng& rng) { return draw_square({a}, rng) / 1.02; };
+        const auto scaled = [power = a](Rng& rng) { return draw_square({power}, rng) / 1.02; };
         if (a != 3) CHECK_FALSE(agrees(moments_of(1, wrong).mean, 1.0 / 3));  // f / p is the same everywhere
         CHECK_FALSE(agrees(moments_of(1, scaled).mean, 1.0 / 3));
     }

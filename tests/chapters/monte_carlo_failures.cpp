@@ -29,7 +29,7 @@ TEST_CASE("H18: 1/sqrt(x), clamped") {
         CAPTURE(clamp);
         CHECK(clamped_root(clamp).mean == near(mean, 1e-14));
         CHECK(clamped_root(clamp).variance == near(variance, 1e-12));
-        const auto seen = moments_of(1, [clamp = clamp](Rng& rng) { return draw_root(clamp, rng); });
+        const auto seen = moments_of(1, [most = clamp](Rng& rng) { return draw_root(most, rng); });
         CHECK(agrees(seen.mean, mean));
         CHECK(agrees(seen.variance, variance));
         CHECK_FALSE(agrees(seen.mean, 1.03 * mean));
@@ -45,7 +45,7 @@ TEST_CASE("H19: 1/r^2 in a ball, clamped") {
         CAPTURE(clamp);
         CHECK(clamped_in_ball(clamp).mean == near(mean, 1e-14));
         CHECK(clamped_in_ball(clamp).variance == near(variance, 1e-12));
-        const auto seen = moments_of(1, [clamp = clamp](Rng& rng) { return draw_in_ball(clamp, rng); });
+        const auto seen = moments_of(1, [most = clamp](Rng& rng) { return draw_in_ball(most, rng); });
         CHECK(agrees(seen.mean, mean));
         CHECK(agrees(seen.variance, variance));
         CHECK_FALSE(agrees(seen.mean, 1.1 * mean));
