@@ -78,6 +78,8 @@ inline void claim_adaptive(course::Chapter& chapter) {
     const Claims claim{chapter, "9.9"};
     claim("shadows: relative error, even [%]", 6.02, 100 * evenly, 5e-3);
     claim("shadows: relative error, adaptive [%]", 4.29, 100 * adaptively, 5e-3);
+    const std::vector<int> many(even.size(), 64);
+    claim("shadows: gain that is promised", 3.35, promised_gain(sample_floor(size, many, 4, threads)), 5e-3);
     claim("shadows: gain in samples", 1.97, square(evenly / adaptively), 5e-3);
 }
 

@@ -61,6 +61,16 @@ inline constexpr int samples_of_pixel = 16, samples_of_pilot = 2;
     return allocated(deviations_of(size, pilot), (samples_of_pixel - samples_of_pilot) * size * size, 1);
 }
 
+/// The gain that (9.26) promises, if these deviations were the true ones.
+[[nodiscard]] inline double promised_gain(const std::vector<Running>& pixels) {
+    Running deviations, variances;
+    for (const Running& pixel : pixels) {
+        deviations.add(std::sqrt(pixel.variance()));
+        variances.add(pixel.variance());
+    }
+    return variances.mean() / square(deviations.mean());
+}
+
 /// Root of the mean squared error over the mean irradiance.
 [[nodiscard]] inline double relative_error(int size, const std::vector<Running>& pixels) {
     Running squares, exact;

@@ -18,7 +18,7 @@ inline constexpr double unclamped = std::numeric_limits<double>::infinity();
     return std::min(1 / std::sqrt(1 - rng.uniform<double>()), clamp);
 }
 
-/// 1 / r^2 at a point of the unit ball, which is where a point light's irradiance is found in fog: the mean is 3.
+/// 1 / r^2 at a point of the unit ball, as a point lights the fog around it: the mean is 3.
 [[nodiscard]] inline double draw_in_ball(double clamp, Rng& rng) {
     return std::min(1 / square(std::cbrt(1 - rng.uniform<double>())), clamp);
 }
