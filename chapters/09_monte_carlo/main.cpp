@@ -6,8 +6,10 @@
 #include "density_charts.hpp"
 #include "density_claims.hpp"
 #include "density_race.hpp"
+#include "estimators.hpp"
 #include "firefly_figures.hpp"
 #include "heavy_tail_charts.hpp"
+#include "hemisphere_charts.hpp"
 #include "overhead_chart.hpp"
 #include "seed_figures.hpp"
 #include "sum_charts.hpp"
@@ -18,11 +20,19 @@ namespace {
 /// 9.1  How is an integral a mean?
 void estimators(course::Chapter& chapter) {
     chapter.section("9.1 The estimator");
+    show_sample_sizes(chapter);
+    chart_running_means(chapter);
+    show_standard_errors(chapter);
+    show_errors(chapter);
+    show_hit_or_miss(chapter);
 }
 
 /// 9.2  What does light from everywhere add up to?
 void hemispheres(course::Chapter& chapter) {
     chapter.section("9.2 Over a hemisphere");
+    show_directions(chapter);
+    chart_powers(chapter);
+    chart_caps(chapter);
 }
 
 /// 9.3  How does a uniform number become one of any density?
@@ -96,7 +106,8 @@ void failures(course::Chapter& chapter) {
 
 int main(int argc, char** argv) {
     using namespace sr;
-    return course::run(argc, argv, "09_monte_carlo", "Monte Carlo", [](course::Chapter& chapter) {
+    const course::Defaults defaults{.takes_seed = false};
+    return course::run(argc, argv, "09_monte_carlo", "Monte Carlo", defaults, [](course::Chapter& chapter) {
         estimators(chapter);
         hemispheres(chapter);
         inversion(chapter);

@@ -1,0 +1,43 @@
+#pragma once
+/// @file running_means.hpp
+/// The mean of more and more samples: figure 9.2.
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "course/chapter.hpp"
+#include "estimator.hpp"
+#include "first_integral.hpp"
+
+namespace sr {
+
+/// Five runs, and how far (9.3) lets one of them be off.
+inline void chart_running_means(course::Chapter& chapter) {
+    auto chart = chapter.chart("running_means", "Five runs that differ in their random numbers alone",
+                               {.x = "samples $n$", .y = "mean of $n$ samples", .log = course::axis::x});
+    constexpr int first = 16, last = 1 << 16;
+    const double  I = growth_integral(), sigma = std::sqrt(growth_variance(EvenDensity{}));
+    for (int run = 1; run <= 5; ++run) {
+        const std::string name = fmt::format("run {}", run);
+        Rng               rng{91, run, 0, 0};
+        Running           mean;
+        for (double n = first; n < last * 1.01; n *= std::pow(2.0, 0.25)) {
+            mean.merge(monte_carlo(rng, growth, EvenDensity{}, int(n) - int(mean.count())));
+            chart.add(name, int(n), mean.mean());
+        }
+        chart.as_line(name);
+    }
+    for (const double side : {1.0, -1.0}) {
+        const std::string name = side > 0 ? "$I + \\sigma[F_n]$" : "$I - \\sigma[F_n]$";
+        for (double n = first; n < last * 1.01; n *= std::pow(2.0, 0.25))
+            chart.add(name, int(n), I + side * sigma / std::sqrt(n));
+        chart.as_line(name);
+        chart.as_dashed(name);
+        chart.in_ink(name, course::Ink::black);
+    }
+    chart.caption(
+        "At any $n$, about two of three runs lie between the dashed lines. A run may well stay on one side.");
+}
+
+}  // namespace sr
