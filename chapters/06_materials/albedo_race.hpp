@@ -17,6 +17,7 @@
 #include "reflected.hpp"
 #include "sampling/hemisphere.hpp"
 #include "sampling/rng.hpp"
+#include "statistics/estimate.hpp"
 #include "statistics/running.hpp"
 #include "statistics/slope.hpp"
 #include "transport/tiles.hpp"
@@ -109,22 +110,14 @@ inline void chart_albedo(course::Chart chart, const std::vector<AlbedoLap>& laps
 /// The exponent with which the error of one way falls as its effort grows. Its own error comes from those of the
 /// points: five are too few to show it by their scatter.
 [[nodiscard]] inline Slope slope_of(const std::vector<AlbedoLap>& laps, const std::string& name) {
-    std::vector<double> effort, error;
-    Running             place;
+    std::vector<double>   effort;
+    std::vector<Estimate> errors;
     for (const auto& lap : laps) {
         if (lap.name != name) continue;
         effort.push_back(lap.effort);
-        error.push_back(lap.error);
-        place.add(std::log(lap.effort));
+        errors.push_back({lap.error, lap.error_se});
     }
-    double squares = 0, S_xx = 0;
-    for (const auto& lap : laps) {
-        if (lap.name != name) continue;
-        const double dx = std::log(lap.effort) - place.mean(), dy = lap.error_se / lap.error;
-        squares += dx * dx * dy * dy;
-        S_xx += dx * dx;
-    }
-    return {log_log_slope(effort, error).value, std::sqrt(squares) / S_xx};
+    return log_log_slope(effort, errors);
 }
 
 /// The lap of a way at an effort.

@@ -6,6 +6,7 @@
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "statistics/running.hpp"
 
@@ -48,6 +49,25 @@ Slope log_log_slope(std::span<const double> x, std::span<const double> y) {
         residuals += above * above;
     }
     return {slope, std::sqrt(residuals / double(x.size() - 2) / sxx)};
+}
+
+Slope log_log_slope(std::span<const double> x, std::span<const Estimate> y) {
+    std::vector<double> values;
+    for (const Estimate& of : y) values.push_back(of.value);
+    const double slope = log_log_slope(x, values).value;
+
+    Running log_x;
+    for (const double at : x) log_x.add(std::log(at));
+    double sxx = 0, squares = 0;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        const double dx = std::log(x[i]) - log_x.mean(), dy = y[i].error / y[i].value;
+        if (!(dy >= 0 && dy <= std::numeric_limits<double>::max()))
+            throw std::invalid_argument("log-log slope: point " + std::to_string(i) + " has the error " +
+                                        std::to_string(y[i].error) + "; must be 0 or more and finite");
+        sxx += dx * dx;
+        squares += dx * dx * dy * dy;
+    }
+    return {slope, std::sqrt(squares) / sxx};
 }
 
 }  // namespace sr

@@ -120,6 +120,31 @@ TEST_CASE("slope: its standard error is how far it lies off") {
           0.01);
 }
 
+TEST_CASE("slope: the errors of its points are its own, with three points, too") {
+    // S_xx = 2 log(10)^2; only the outer points, which are log(10) away from the mean, move the slope
+    const std::vector<double> x{1, 10, 100};
+    const Slope outer = log_log_slope(x, std::vector<Estimate>{{3, 0.03}, {300, 50}, {3e4, 600}});
+    CHECK(relative_error(outer.value, 2) <= 1e-14);
+    CHECK(relative_error(outer.standard_error, std::hypot(0.01, 0.02) / (2 * std::log(10.0))) <= 1e-14);
+
+    // slopes of four points lie off by as much as they say, and not by half of it
+    Running squares;
+    Rng     rng{5, 0, 0, 0};
+    for (int n = 0; n < 400; ++n) {
+        std::vector<Estimate> y;
+        for (const double at : {1.0, 2.0, 4.0, 8.0}) {
+            double noise = -6;  // normal, nearly: twelve uniform numbers
+            for (int i = 0; i < 12; ++i) noise += rng.uniform<double>();
+            y.push_back({at * std::exp(0.01 * noise), 0.01 * at});
+        }
+        const Slope  of  = log_log_slope(std::vector<double>{1, 2, 4, 8}, y);
+        const double off = (of.value - 1) / of.standard_error;
+        squares.add(off * off);
+    }
+    CHECK(z_test(squares.mean(), squares.standard_error(), 1).p > 0.01);
+    CHECK(z_test(squares.mean() / 4, squares.standard_error() / 4, 1).p < 1e-6);
+}
+
 TEST_CASE("slope: what has none is refused") {
     const std::vector<double> three{1, 2, 3};
     CHECK_THROWS_AS(static_cast<void>(log_log_slope(std::vector<double>{1, 2}, std::vector<double>{1, 2})),
@@ -131,6 +156,13 @@ TEST_CASE("slope: what has none is refused") {
     CHECK_THROWS_AS(static_cast<void>(log_log_slope(three, std::vector<double>{1, std::nan(""), 1})),
                     std::invalid_argument);
     CHECK_THROWS_AS(static_cast<void>(log_log_slope(std::vector<double>{2, 2, 2}, three)),
+                    std::invalid_argument);
+    const double nan = std::nan("");
+    for (const double error : {-1.0, nan, HUGE_VAL})
+        CHECK_THROWS_AS(
+            static_cast<void>(log_log_slope(three, std::vector<Estimate>{{1, 0}, {2, error}, {3, 0}})),
+            std::invalid_argument);
+    CHECK_THROWS_AS(static_cast<void>(log_log_slope(three, std::vector<Estimate>{{1, 0}, {nan, 0}, {3, 0}})),
                     std::invalid_argument);
 }
 
