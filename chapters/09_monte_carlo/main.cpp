@@ -2,6 +2,8 @@
 /// Chapter 9, Monte Carlo: integrals as means of random samples, how wrong they are, and how to be less wrong.
 
 #include "adaptive_charts.hpp"
+#include "convergence.hpp"
+#include "convergence_charts.hpp"
 #include "course/chapter.hpp"
 #include "density_charts.hpp"
 #include "density_claims.hpp"
@@ -70,6 +72,12 @@ void patterns(course::Chapter& chapter) {
 /// 9.7  How fast does the error fall?
 void convergence(course::Chapter& chapter) {
     chapter.section("9.7 Error against samples, and against time");
+    const auto&       options = chapter.options();
+    const SampleRange range{options.quality == course::Quality::draft ? last_fitted : 16, options.threads};
+    const auto        smooth = run_patterns(1, range, Bump{}), edge = run_patterns(5, range, HalfPlane{});
+    chart_convergence({chapter, "", "a bump, smooth"}, smooth, options.quality);
+    chart_convergence({chapter, "_edge", "an oblique edge"}, edge, options.quality);
+    claim_convergence(chapter, smooth, edge);
 }
 
 /// 9.8  What do edges and dimensions do to that?
