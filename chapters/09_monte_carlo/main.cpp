@@ -13,8 +13,11 @@
 #include "heavy_tail_charts.hpp"
 #include "hemisphere_charts.hpp"
 #include "overhead_chart.hpp"
+#include "point_diagrams.hpp"
+#include "point_sets.hpp"
 #include "seed_figures.hpp"
 #include "sum_charts.hpp"
+#include "variances.hpp"
 
 namespace sr {
 namespace {
@@ -67,6 +70,14 @@ void densities(course::Chapter& chapter) {
 /// 9.6  Must samples be independent?
 void patterns(course::Chapter& chapter) {
     chapter.section("9.6 Points that know of each other");
+    claim_jitter(chapter);
+    claim_antithetic_pairs(chapter);
+    const auto sets = six_point_sets(64);
+    draw_patterns(chapter, sets);
+    draw_net(chapter);
+    draw_scrambling(chapter);
+    claim_boxes(chapter, sets);
+    claim_scrambled_mean(chapter);
 }
 
 /// 9.7  How fast does the error fall?

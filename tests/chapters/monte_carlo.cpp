@@ -25,6 +25,8 @@ TEST_CASE("chapter 9: claims and text agree, figures have their data, renders do
     runs.check_chart("jumps", {"series"}, 4 * 900);
     runs.check_chart("heavy_tails", {"series"}, 5 * 6);
     runs.check_chart("sums", {"series"}, 2 * 64);
+    for (const std::string drawing : {"patterns", "net", "scrambling"})
+        runs.check_chart(drawing, {"shape"}, 60);
     for (const std::string chart :
          {"convergence", "convergence_edge", "convergence_time", "convergence_time_edge"})
         for (const auto& row : runs.check_chart(chart, speed_accuracy_columns, 3 * 11 + 6).rows) {
