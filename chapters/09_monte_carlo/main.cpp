@@ -8,6 +8,8 @@
 #include "density_charts.hpp"
 #include "density_claims.hpp"
 #include "density_race.hpp"
+#include "dimensions.hpp"
+#include "dimensions_charts.hpp"
 #include "estimators.hpp"
 #include "firefly_figures.hpp"
 #include "heavy_tail_charts.hpp"
@@ -94,6 +96,15 @@ void convergence(course::Chapter& chapter) {
 /// 9.8  What do edges and dimensions do to that?
 void dimensions(course::Chapter& chapter) {
     chapter.section("9.8 Edges and dimensions");
+    const int  threads = chapter.options().threads;
+    const auto smooth  = run_dimensions(1, threads, SineProduct{}),
+               ball    = run_dimensions(4, threads, BallPart{});
+    chart_dimensions(chapter, "dimensions_smooth", "A smooth product",
+                     "Gauss's rule errs by less than $10^{-12}$ in up to four dimensions.", smooth);
+    chart_dimensions(chapter, "dimensions_ball", "A ball in its cube",
+                     "An edge: what is left of Gauss's rule is luck, and of the grid's advantage little.",
+                     ball);
+    claim_dimensions(chapter, smooth, ball);
 }
 
 /// 9.9  Can a program tell where to sample more, and when to stop?

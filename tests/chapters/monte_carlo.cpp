@@ -33,5 +33,7 @@ TEST_CASE("chapter 9: claims and text agree, figures have their data, renders do
             CHECK(row[2].number() > 0);
             CHECK(row[4].number() > 0);
         }
+    runs.check_chart("dimensions_smooth", {"series", "dimensions"}, 4 * 11 + 7);
+    runs.check_chart("dimensions_ball", {"series", "dimensions"}, 5 * 8);
     runs.check_renders(9);
 }
