@@ -23,6 +23,7 @@ namespace sr {
 /// @see Owen, Randomly Permuted (t,m,s)-Nets and (t,s)-Sequences (1995); Laine and Karras (2011); Burley, Practical
 ///      Hash-based Owen Scrambling (JCGT 9(4), 2020); the constants are Vegdahl's (2021)
 [[nodiscard]] constexpr std::uint32_t owen_scrambled(std::uint32_t bits, std::uint32_t seed) {
+    // in reversed order, products and sums carry from the bits before to those after
     std::uint32_t v = reversed_bits(bits);
     v ^= v * 0x3d20adea;
     v += seed;
