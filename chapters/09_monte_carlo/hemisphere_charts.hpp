@@ -39,7 +39,7 @@ void draw_directions(course::Diagram diagram, double left, const std::string& na
     return std::abs(measured.value - exact) / measured.error;
 }
 
-/// Figure 9.11, and the mean height of such directions.
+/// Figure 9.3, and the mean height of such directions.
 inline void show_directions(course::Chapter& chapter) {
     auto diagram = chapter.diagram("directions",
                                    "100 directions by each of two densities, from the side and from above");
@@ -83,7 +83,7 @@ void add_powers(course::Chapter& chapter, course::Chart chart, const std::string
                           4);
 }
 
-/// Figure 9.12: variances for cos^e.
+/// Figure 9.4: variances for cos^e.
 inline void chart_powers(course::Chapter& chapter) {
     auto chart = chapter.chart(
         "power_variance", "The integral of $\\cos^e\\theta$ over the hemisphere",
@@ -136,7 +136,7 @@ void add_caps(course::Chapter& chapter, course::Chart chart, const std::string& 
     chapter.claim_at_most(fmt::format("9.2 {}: caps' variances off [their standard errors]", name), worst, 4);
 }
 
-/// Figure 9.13: samples for an error of 1 % of a cap's irradiance.
+/// Figure 9.5: samples for an error of 1 % of a cap's irradiance.
 inline void chart_caps(course::Chapter& chapter) {
     auto chart = chapter.chart("cap_light", "A lamp that is a cap of the sky about the zenith",
                                course::with_error({.x   = "half-angle of the cap [deg]",

@@ -14,9 +14,12 @@
 #include "firefly_figures.hpp"
 #include "heavy_tail_charts.hpp"
 #include "hemisphere_charts.hpp"
+#include "inversions.hpp"
 #include "overhead_chart.hpp"
 #include "point_diagrams.hpp"
 #include "point_sets.hpp"
+#include "rejection_charts.hpp"
+#include "rejection_cost.hpp"
 #include "seed_figures.hpp"
 #include "sum_charts.hpp"
 #include "variances.hpp"
@@ -45,11 +48,22 @@ void hemispheres(course::Chapter& chapter) {
 /// 9.3  How does a uniform number become one of any density?
 void inversion(course::Chapter& chapter) {
     chapter.section("9.3 Drawing from a density: inversion");
+    show_inversion(chapter);
+    claim_triangle(chapter);
+    show_numeric_inversion(chapter);
+    claim_ends(chapter);
+    claim_samplers(chapter);
 }
 
 /// 9.4  And where the integral has no formula?
 void rejection(course::Chapter& chapter) {
     chapter.section("9.4 Drawing from a density: rejection");
+    chart_rejection(chapter);
+    chart_trials(chapter);
+    claim_lobes(chapter);
+    chart_clipped(chapter);
+    claim_noticed(chapter);
+    chart_rejection_time(chapter);
 }
 
 /// 9.5  Which density has the least variance?

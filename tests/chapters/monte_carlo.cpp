@@ -11,10 +11,14 @@ TEST_CASE("chapter 9: claims and text agree, figures have their data, renders do
     const ChapterRuns runs("09_monte_carlo", "--size 64");
     runs.check_claims({});
 
-    for (const std::string drawing : {"sample_sizes", "directions"}) runs.check_chart(drawing, {"shape"}, 30);
+    for (const std::string drawing : {"sample_sizes", "directions", "inversion"}) runs.check_chart(drawing, {"shape"}, 30);
     runs.check_chart("running_means", {"series"}, 7 * 49);
     runs.check_chart("power_variance", {"series"}, 2 * 33 + 2 * 7);
     runs.check_chart("cap_light", {"series"}, 3 * 65 + 3 * 8);
+    runs.check_chart("rejection", {"series"}, 2 * 201 + 280);
+    runs.check_chart("trials", {"series"}, 19 + 11);
+    runs.check_chart("clipped", {"series"}, 2 * 201 + 40);
+    runs.check_chart("rejection_time", {"series"}, 3 * 7);
     runs.check_chart("what_counts", {"series"}, 3 * 101 + 81);
     runs.check_chart("exponents", {"series"}, 108 + 11);
     runs.check_chart("overhead_lamp", {"series"}, 3 * 31 + 3 * 13);
