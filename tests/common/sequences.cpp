@@ -127,7 +127,7 @@ TEST_CASE("permutation: each of n comes once, for any n, and any goes anywhere")
         }
 }
 
-TEST_CASE("halton: digits are mirrored, and b^k numbers in a row share out [0, 1)") {
+TEST_CASE("halton: digits are mirrored, and b^k numbers in a row share out the unit interval") {
     CHECK(radical_inverse(2, 1) == 0.5);
     CHECK(radical_inverse(2, 6) == 0.375);    // 110 in base 2: 0.011
     CHECK(radical_inverse(3, 5) == 7.0 / 9);  // 12 in base 3: 0.21
