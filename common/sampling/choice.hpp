@@ -7,9 +7,10 @@
 #include <algorithm>
 #include <concepts>
 #include <cstddef>
-#include <limits>
 #include <optional>
 #include <ranges>
+
+#include "sampling/unit_interval.hpp"
 
 namespace sr {
 
@@ -25,8 +26,6 @@ struct Choice {
 /// @param u       uniform in [0, 1)
 template <std::ranges::forward_range Items, class Weight, std::floating_point T>
 [[nodiscard]] std::optional<Choice<T>> choose(const Items& items, const Weight& weight, T u) {
-    constexpr T largest_below_1 = 1 - std::numeric_limits<T>::epsilon() / 2;
-
     T sum = 0;
     for (const auto& item : items) sum += weight(item);
     std::optional<Choice<T>> chosen;
@@ -34,7 +33,7 @@ template <std::ranges::forward_range Items, class Weight, std::floating_point T>
     for (const auto& item : items) {
         const T chance = weight(item) / sum;
         if (chance > 0) {
-            chosen = {index, chance, std::min(u / chance, largest_below_1)};
+            chosen = {index, chance, std::min(u / chance, largest_below_1<T>)};
             if (u < chance) break;
             u -= chance;  // if this was the last one, rounding has left a little more: it is taken
         }

@@ -9,7 +9,7 @@ namespace sr {
 
 /// The digits of i in base b, mirrored at the point: 0.d0 d1 d2... Of b^k consecutive i, each b^k-th of [0, 1) gets
 /// one.
-/// @pre    b >= 2
+/// @pre    b >= 2, and i has fewer digits than would make b^digits overflow 64 bits: i < 2^64 / b
 /// @return in [0, 1), to rounding; the digits themselves are exact
 [[nodiscard]] constexpr double radical_inverse(std::uint32_t b, std::uint64_t i) {
     std::uint64_t mirrored = 0, scale = 1;

@@ -21,10 +21,7 @@ public:
         const double        moved =
             halton(index_, d % halton_dimensions) + to_unit_interval<double>(scramble(key_ + d));
         const auto bits = std::uint64_t((moved >= 1 ? moved - 1 : moved) * 0x1p53) << 11;
-        if constexpr (sizeof(T) == sizeof(float))
-            return to_unit_interval<T>(std::uint32_t(bits >> 32));
-        else
-            return to_unit_interval<T>(bits);
+        return to_unit_interval<T>(bits);
     }
 
     template <std::floating_point T>

@@ -37,10 +37,7 @@ public:
     template <std::floating_point T>
     [[nodiscard]] constexpr T number(std::uint32_t i) const {
         const auto words = philox({i, stream_[0], stream_[1], stream_[2]}, key_);
-        if constexpr (sizeof(T) == sizeof(float))
-            return to_unit_interval<T>(words[0]);
-        else
-            return to_unit_interval<T>(std::uint64_t{words[0]} << 32 | words[1]);
+        return to_unit_interval<T>(std::uint64_t{words[0]} << 32 | words[1]);
     }
 
     /// The next one.

@@ -15,6 +15,7 @@
 #include <cmath>
 #include <concepts>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <ranges>
 #include <span>
@@ -25,12 +26,13 @@
 
 namespace sr {
 
-/// n bins of the same width; n is small enough that T tells their borders apart.
+/// n bins of the same width.
 template <std::floating_point T>
 class PiecewiseConstant {
 public:
     /// @param  values  one a bin; only their ratios matter
-    /// @throws std::invalid_argument of a value that is negative or not finite, and if none is positive
+    /// @throws std::invalid_argument of a value that is negative or not finite, if their sum is 0 or not finite, and of
+    ///         more bins than T tells apart
     template <std::ranges::input_range Values>
     explicit PiecewiseConstant(const Values& values) : below_{0} {
         for (const auto value : values) {
@@ -39,6 +41,9 @@ public:
                     "table: value {} is {}; must be finite and not negative", below_.size() - 1, value));
             below_.push_back(below_.back() + double(value));
         }
+        constexpr std::size_t most = std::size_t{1} << (std::numeric_limits<T>::digits - 2);
+        if (size() > most)
+            throw std::invalid_argument(fmt::format("table: {} values; must be {} at most", size(), most));
         sum_ = below_.back();
         if (!(sum_ > 0 && std::isfinite(sum_)))
             throw std::invalid_argument(

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <stdexcept>
@@ -29,7 +30,7 @@ struct Accepted {
 /// @param c            so large that f <= c p everywhere
 /// @param f            (X) -> double, at least 0
 /// @param most_trials  >= 1
-/// @throws std::domain_error if f is negative, NaN or more than c p, beyond rounding, at a point that is drawn: what
+/// @throws std::domain_error if f is negative, not finite or more than c p, beyond rounding, at a point drawn: what
 ///         has been accepted does not follow f
 template <class Random, class Draw, class Density, class Target,
           class X = std::remove_cvref_t<std::invoke_result_t<const Draw&, Random&>>>
@@ -41,9 +42,10 @@ template <class Random, class Draw, class Density, class Target,
         const double xi       = random.template uniform<double>();
         const X      x        = draw(random);
         const double envelope = c * p(x), target = f(x);
-        if (!(target >= 0 && target <= envelope * rounding))
+        if (!(target >= 0 && target <= envelope * rounding && std::isfinite(envelope)))
             throw std::domain_error(fmt::format(
-                "rejection: f = {} and c p = {} at a point drawn; must be 0 <= f <= c p", target, envelope));
+                "rejection: f = {} and c p = {} at a point drawn; must be 0 <= f <= c p, and finite", target,
+                envelope));
         // xi may be 0, and would let pass what must never come
         if (target > 0 && xi * envelope <= target) return Accepted<X>{x, trial};
     }

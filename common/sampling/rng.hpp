@@ -40,7 +40,7 @@ public:
     template <std::floating_point T = float>
     constexpr T uniform() {
         if constexpr (sizeof(T) == sizeof(float)) {
-            return to_unit_interval<T>(next_u32());
+            return to_unit_interval<T>(std::uint64_t{next_u32()} << 32);
         } else {
             const std::uint64_t high = next_u32();
             const std::uint64_t low  = next_u32();

@@ -22,7 +22,7 @@ struct SampleId {
     std::uint32_t index = 0;
     std::uint32_t count = 1;  ///< of samples that the pixel gets; only strata need to know
 
-    /// A number of the pixel's own; the scrambled sums of it and 1, 2, ... are independent of each other.
+    /// A number of the pixel's own; the scrambled sums of it and 0, 1, ... are independent of each other.
     [[nodiscard]] constexpr std::uint64_t pixel_key() const { return hash(seed, x, y); }
 };
 

@@ -22,10 +22,7 @@ public:
         if (in_set == 0) begin_set();
         const std::uint32_t bits =
             owen_scrambled(sobol(index_, in_set), std::uint32_t(scramble(set_ + in_set)));
-        if constexpr (sizeof(T) == sizeof(float))
-            return to_unit_interval<T>(bits);
-        else
-            return to_unit_interval<T>(std::uint64_t{bits} << 32);
+        return to_unit_interval<T>(std::uint64_t{bits} << 32);
     }
 
     /// Both of one set.

@@ -49,7 +49,7 @@ public:
 
     /// An arc from b cuts off, on the side of a, the share u.y of the solid angle. On the arc, 1 - cos of the angle
     /// from b is uniform, and so is the square of half that angle's sine: it is the share u.x of the whole arc's.
-    /// @pre 0 <= u.x < 1 and 0 <= u.y < 1
+    /// @pre 0 <= u.x < 1 and 0 <= u.y < 1; solid_angle() > 0, as it is not from within the triangle's plane
     [[nodiscard]] Vector2<T> sample(Vector2<T> u) const {
         // the arc ends on the side a c
         const T          half = u.y * solid_angle_ / 2;

@@ -1,9 +1,11 @@
 #pragma once
 /// @file stratified_point.hpp
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <stdexcept>
 
 #include "sampling/permutation.hpp"
 #include "sampling/rng.hpp"
@@ -15,7 +17,7 @@ namespace sr {
 /// a grid of n. Which strata of one number and of the next go together is random: pairs of pairs are not stratified.
 class StratifiedPoint {
 public:
-    /// @pre id.index < id.count, and the count is a square number if pairs are drawn
+    /// @pre id.index < id.count
     explicit StratifiedPoint(const SampleId& id)
         : index_{id.index},
           count_{id.count},
@@ -28,8 +30,14 @@ public:
         return in_stratum<T>(next_stratum(), count_);
     }
 
+    /// @throws std::invalid_argument if the count is no square number: a square has no strata of so many
     template <std::floating_point T>
     [[nodiscard]] Vector2<T> pair() {
+        if (side_ * side_ != count_)
+            throw std::invalid_argument(
+                fmt::format("{} samples can't be stratified in pairs; must be a square number, "
+                            "1, 4, 9, ...",
+                            count_));
         const std::uint32_t k = next_stratum();
         const T             x = in_stratum<T>(k % side_, side_), y = in_stratum<T>(k / side_, side_);
         return {x, y};
@@ -42,8 +50,8 @@ private:
 
     template <std::floating_point T>
     [[nodiscard]] T in_stratum(std::uint32_t k, std::uint32_t n) {
-        constexpr T largest_below_1 = 1 - std::numeric_limits<T>::epsilon() / 2;
-        return std::min((T(k) + rng_.uniform<T>()) / T(n), largest_below_1);  // the sum may be rounded up
+        const T end = std::nextafter(T(k + 1) / T(n), T{0});  // the sum may be rounded up to the next stratum
+        return std::min((T(k) + rng_.uniform<T>()) / T(n), end);
     }
 
     std::uint32_t index_, count_;

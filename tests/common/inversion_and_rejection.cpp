@@ -203,10 +203,10 @@ TEST_CASE("rejection: a c twice as large takes twice the trials, and one too sma
     CHECK_NOTHROW(with(2, [](double x) { return 2 * x; })());
     CHECK_THROWS_AS(with(1.9, [](double x) { return 2 * x; })(), std::domain_error);
     CHECK_THROWS_WITH_AS(with(2, [](double) { return 2.5; })(),
-                         "rejection: f = 2.5 and c p = 2 at a point drawn; must be 0 <= f <= c p",
+                         "rejection: f = 2.5 and c p = 2 at a point drawn; must be 0 <= f <= c p, and finite",
                          std::domain_error);
     CHECK_THROWS_WITH_AS(with(2, [](double) { return -1.0; })(),
-                         "rejection: f = -1 and c p = 2 at a point drawn; must be 0 <= f <= c p",
+                         "rejection: f = -1 and c p = 2 at a point drawn; must be 0 <= f <= c p, and finite",
                          std::domain_error);
     CHECK_THROWS_AS(with(2, [](double) { return NaN; })(), std::domain_error);
     CHECK_THROWS_AS(with(NaN, [](double) { return 1.0; })(), std::domain_error);

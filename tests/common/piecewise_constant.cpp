@@ -16,15 +16,13 @@
 #include "refusal.hpp"
 #include "sampled_density.hpp"
 #include "sampling/rng.hpp"
+#include "sampling/unit_interval.hpp"
 #include "statistics/tests.hpp"
 
 using namespace sr;
 using namespace sr::test;
 
 namespace {
-
-template <class T>
-constexpr T largest_below_1 = 1 - std::numeric_limits<T>::epsilon() / 2;
 
 /// The unit square as it is.
 auto plain_chart() {

@@ -155,7 +155,7 @@ TEST_CASE("sobol: the first eight points of three dimensions, as published") {
                                                    {0.125, 0.625, 0.375}});
 }
 
-TEST_CASE("sobol: property A, one point in each of the 2^d parts of the cube, up to 20 dimensions") {
+TEST_CASE("sobol: property A, one point in each of the 2^d parts of the cube, up to 21 dimensions") {
     const auto parts = [](std::size_t d, const auto& coordinate) {
         std::vector<bool> found(std::size_t{1} << d);
         for (std::uint32_t i = 0; i < found.size(); ++i) {
@@ -165,7 +165,7 @@ TEST_CASE("sobol: property A, one point in each of the 2^d parts of the cube, up
         }
         return std::count(found.begin(), found.end(), true);
     };
-    for (std::size_t d = 1; d < sobol_dimensions; ++d) CHECK(parts(d, sobol) == 1L << d);
+    for (std::size_t d = 1; d <= sobol_dimensions; ++d) CHECK(parts(d, sobol) == 1L << d);
     const auto repeated = [](std::uint32_t i, std::size_t k) { return sobol(i, k == 9 ? 8 : k); };
     CHECK(parts(10, repeated) < 1L << 10);
 }
@@ -252,6 +252,38 @@ TEST_CASE("patterns: samples of a pixel share out each pair's square as they say
         CHECK(strata(pairs<RandomPoint>(256, skipped)) < 200);          // 256 (1 - 1/e) = 162 +- 5
         CHECK_FALSE(is_net(pairs<StratifiedPoint>(256, skipped)));
     }
+}
+
+TEST_CASE("patterns: a pixel's numbers by Halton's points share out intervals of any place, moved or not") {
+    // of the third number, of base 5: 125 samples in a row have one in each interval of 1/125, if these are moved as well
+    std::set<int> intervals;
+    const auto    third = [](std::uint32_t i) {
+        HaltonPoint point({.seed = 9, .x = 1, .y = 2, .index = i, .count = 250});
+        static_cast<void>(point.pair<double>());
+        return point.number<double>();
+    };
+    const double moved = third(0);
+    for (std::uint32_t i = 125; i < 250; ++i) {
+        const double back = third(i) - moved;
+        intervals.insert(int(std::floor((back < 0 ? back + 1 : back) * 125 + 1e-6)));
+    }
+    CHECK(intervals.size() == 125);
+}
+
+TEST_CASE("patterns: strata of single numbers, also in float, and only square numbers of pairs") {
+    constexpr std::uint32_t n = 4096;
+    for (std::uint64_t seed = 0; seed < 20; ++seed) {
+        std::set<std::uint32_t> strata;
+        for (std::uint32_t i = 0; i < n; ++i) {
+            StratifiedPoint point({.seed = seed, .x = 3, .y = 4, .index = i, .count = n});
+            strata.insert(std::uint32_t(point.number<float>() * n));
+        }
+        CHECK(strata.size() == n);
+    }
+    StratifiedPoint five({.index = 2, .count = 5});
+    CHECK(five.number<double>() < 1);
+    CHECK_THROWS_WITH(static_cast<void>(five.pair<double>()),
+                      "5 samples can't be stratified in pairs; must be a square number, 1, 4, 9, ...");
 }
 
 TEST_CASE("patterns: which strata of one pair and of the next go together is random") {

@@ -34,9 +34,6 @@ using std::numbers::pi;
 
 namespace {
 
-template <class T>
-constexpr T largest_below_1 = 1 - std::numeric_limits<T>::epsilon() / 2;
-
 /// 0, the largest number below 1, 1/2 where maps may have a seam, and numbers between.
 template <class T>
 std::vector<Vector2<T>> square_points() {
