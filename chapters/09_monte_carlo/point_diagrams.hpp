@@ -24,7 +24,9 @@ public:
         diagram_.label(at + course::Point{0.5, -0.09}, name, course::Anchor::centre);
     }
 
-    void point(course::Point p, course::Ink ink = course::Ink::blue) { diagram_.point(at_ + p, {ink}); }
+    void point(course::Point p, course::Ink ink = course::Ink::blue) {
+        diagram_.point(at_ + p, {ink, course::Weight::thin});
+    }
 
     /// Lines between columns x rows equal boxes.
     void boxes(int columns, int rows) {
@@ -100,7 +102,9 @@ inline void draw_scrambling(course::Chapter& chapter) {
     draw(3, "all, $x$ and $y$", 1, [](std::uint32_t x, std::uint32_t y) {
         return 0x1p-32 * course::Point{owen_scrambled(x, seed_x), owen_scrambled(y, seed_y)};
     });
-    diagram.caption("Halves change places, or not; in each of them quarters, and so on.");
+    diagram.caption(
+        "Halves change places, or not; in each of them quarters, and so on. Colour: the half of $x$ in which "
+        "a point began.");
 }
 
 }  // namespace sr

@@ -54,7 +54,7 @@ public:
     void line(std::vector<Point> through, Pen pen = {});
     void arrow(Point from, Point to, Pen pen = {});  ///< head at `to`
     void polygon(std::vector<Point> corners, Pen pen = {}, double opacity = 0);
-    void point(Point at, Pen pen = {});
+    void point(Point at, Pen pen = {});  ///< smaller if thin
     void label(Point at, std::string tex, Anchor anchor = Anchor::left, Ink ink = Ink::black);
 
     void caption(std::string text) { data_->caption = std::move(text); }

@@ -91,9 +91,8 @@ std::string plot_of(const Shape& shape, const std::string& data) {
                 data, hex(shape.pen.ink), shape.opacity, border);
         }
         case Kind::point:
-            return fmt::format(
-                "{} using 3:4 notitle with points pointtype 7 pointsize 0.9 linecolor rgb '{}'", data,
-                hex(shape.pen.ink));
+            return fmt::format("{} using 3:4 notitle with points pointtype 7 pointsize {} linecolor rgb '{}'",
+                               data, shape.pen.weight == Weight::thin ? 0.5 : 0.9, hex(shape.pen.ink));
         case Kind::label:
             break;
     }
