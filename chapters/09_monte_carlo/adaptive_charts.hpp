@@ -13,6 +13,7 @@
 #include "adaptive_picture.hpp"
 #include "claims.hpp"
 #include "repeated.hpp"
+#include "sample_map.hpp"
 #include "stopping.hpp"
 #include "strata.hpp"
 
@@ -64,8 +65,8 @@ inline void render_adaptive(course::Chapter& chapter) {
     chapter.render("shadows_adaptive", "The same, adaptively",
                    "As many, where a pilot saw that they are needed.",
                    picture(sample_floor(size, counts, 3, threads), 3.5, mean));
-    chapter.render("shadows_counts", "Samples of each pixel", "White is 64.",
-                   picture(counts, 1.0 / 64, [](int n) { return n; }));
+    chapter.render("shadows_counts", "Samples of each pixel",
+                   "Black is 0, white 64; the scale has a notch every 16.", map_of_samples(size, counts));
 }
 
 /// What the text says of them, at a size of its own.
@@ -83,8 +84,8 @@ inline void claim_adaptive(course::Chapter& chapter) {
     claim("shadows: gain in samples", 1.97, square(evenly / adaptively), 5e-3);
 }
 
-inline constexpr StoppingRule by_its_samples{16, 0.01, error_of_samples},
-    never_zero{16, 0.01, error_never_zero};
+inline constexpr StoppingRule by_its_samples{.least = 16, .tolerance = 0.01, .error = error_of_samples},
+    never_zero{.least = 16, .tolerance = 0.01, .error = error_never_zero};
 
 /// Means and errors of estimates that stop by themselves, exactly and measured.
 inline void chart_stopping(course::Chapter& chapter) {
@@ -140,6 +141,8 @@ inline void claim_stopping(course::Chapter& chapter) {
         claim(fmt::format("p = 0.05, {}: error over 0.01", name), rms, end.rms / 0.01, 5e-3);
         claim(fmt::format("p = 0.05, {}: samples", name), samples, end.samples, 0.5);
     }
+    claim("p = 0.05, pilot: samples that it asks for", 877,
+          decided_by_pilot(never_zero, p).samples - never_zero.least, 0.5);
     claim("p = 0.05: stopped at 0 [%]", 44, 100 * stopped(by_its_samples, p).misses, 0.5);
 }
 
