@@ -4,9 +4,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "claims.hpp"
@@ -15,15 +17,24 @@
 
 namespace sr {
 
+/// An error that is a power of 1/n, and its name in TeX.
+struct Law {
+    std::string name;
+    double      power;
+};
+
 /// One integrand's two charts: the same rows, drawn against samples and against time.
 struct ConvergenceCharts {
-    course::Chart samples, time;
+    course::Chart    samples, time;
+    std::vector<Law> laws;  ///< drawn beside the errors, against samples
 
-    ConvergenceCharts(course::Chapter& chapter, const std::string& suffix, const std::string& of)
+    ConvergenceCharts(course::Chapter& chapter, const std::string& suffix, const std::string& of,
+                      std::vector<Law> beside)
         : samples{chapter.chart("convergence" + suffix, "Error against samples: " + of,
                                 axes("samples $n$", "effort"))},
           time{chapter.chart("convergence_time" + suffix, "Error against time: " + of,
-                             axes("time for an estimate, one thread [$\\mu$s]", "microseconds"))} {}
+                             axes("time for an estimate, one thread [$\\mu$s]", "microseconds"))},
+          laws{std::move(beside)} {}
 
     static course::Axes axes(const std::string& x, const std::string& column) {
         auto columns = course::speed_accuracy({"microseconds"});
@@ -31,6 +42,18 @@ struct ConvergenceCharts {
         return {.x = x, .y = "RMS error", .log = course::axis::xy, .columns = columns};
     }
 };
+
+/// Lines of the laws, from the first error of random samples down.
+inline void add_laws(course::Chart chart, const std::vector<Law>& laws, const std::vector<PatternLap>& laps) {
+    const auto [first, last] = std::ranges::minmax(laps, {}, &PatternLap::n);
+    for (const auto& [name, power] : laws) {
+        for (const double n : {double(first.n), double(last.n)})
+            chart.row({name, n, 0.0, laps.front().error.value * std::pow(n / first.n, -power), 0.0, 0.0});
+        chart.as_line(name);
+        chart.as_dashed(name);
+        chart.in_ink(name, course::Ink::grey);
+    }
+}
 
 /// Times all laps, and charts them.
 inline void chart_convergence(ConvergenceCharts charts, const std::vector<PatternLap>& laps,
@@ -52,6 +75,7 @@ inline void chart_convergence(ConvergenceCharts charts, const std::vector<Patter
             chart->row({laps[i].method, double(laps[i].n), seconds, laps[i].error.value, laps[i].error.error,
                         1e6 * seconds});
     }
+    add_laws(charts.samples, charts.laws, laps);
     charts.samples.caption(
         "RMS error over 256 seeds, with standard errors. Halving it takes 4 times as many random samples.");
     charts.time.caption(

@@ -102,8 +102,11 @@ void convergence(course::Chapter& chapter) {
     const auto&       options = chapter.options();
     const SampleRange range{options.quality == course::Quality::draft ? last_fitted : 16, options.threads};
     const auto        smooth = run_patterns(1, range, Bump{}), edge = run_patterns(5, range, HalfPlane{});
-    chart_convergence({chapter, "", "a bump, smooth"}, smooth, options.quality);
-    chart_convergence({chapter, "_edge", "an oblique edge"}, edge, options.quality);
+    chart_convergence(
+        {chapter, "", "a bump, smooth", {{"$n^{-1/2}$", 0.5}, {"$n^{-1}$", 1}, {"$n^{-3/2}$", 1.5}}}, smooth,
+        options.quality);
+    chart_convergence({chapter, "_edge", "an oblique edge", {{"$n^{-1/2}$", 0.5}, {"$n^{-3/4}$", 0.75}}},
+                      edge, options.quality);
     claim_convergence(chapter, smooth, edge);
 }
 
