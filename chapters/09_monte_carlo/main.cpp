@@ -118,9 +118,11 @@ void dimensions(course::Chapter& chapter) {
                ball    = run_dimensions(4, threads, BallPart{});
     chart_dimensions(chapter, "dimensions_smooth", "A smooth product",
                      "Gauss's rule errs by less than $10^{-12}$ in up to four dimensions.", smooth);
-    chart_dimensions(chapter, "dimensions_ball", "A ball in its cube",
-                     "An edge: what is left of Gauss's rule is luck, and of the grid's advantage little.",
-                     ball);
+    chart_dimensions(
+        chapter, "dimensions_ball", "A ball in its cube",
+        "An edge, which one dimension has not: what is left of Gauss's rule is luck, and of the grid's "
+        "advantage little. In 12, hardly a point would be in the ball.",
+        ball);
     claim_dimensions(chapter, smooth, ball);
 }
 
