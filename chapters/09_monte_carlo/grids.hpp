@@ -19,6 +19,7 @@ namespace sr {
 }
 
 /// How many points a grid has along each of d axes if it has n at most: k along some and k + 1 along the others.
+/// @pre n >= 1, d >= 1
 [[nodiscard]] inline std::vector<int> grid_sides(int n, int d) {
     const auto points = [&](int k) { return std::pow(double(k), d); };
     int        k      = 1;

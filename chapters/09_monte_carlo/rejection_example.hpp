@@ -3,8 +3,7 @@
 /// Waves that fade, f = e^-x (1 + sin 4x) / 2, drawn by rejection from p = e^-x; their integral is 21/34.
 
 #include <cmath>
-#include <cstdint>
-#include <vector>
+#include <stdexcept>
 
 #include "sampling/rejection.hpp"
 #include "sampling/rng.hpp"
@@ -33,7 +32,8 @@ constexpr double waves_integral = 21.0 / 34;
     }
 }
 
-/// How many numbers the tool draws until it notices that c is too small; 0 if it never does.
+/// How many numbers the tool draws until it notices that c is too small.
+/// @throws std::runtime_error if it does not within `most`
 [[nodiscard]] inline int draws_until_noticed(Rng& rng, double c, int most) {
     for (int draws = 1; draws <= most; ++draws) {
         try {
@@ -42,7 +42,7 @@ constexpr double waves_integral = 21.0 / 34;
             return draws;
         }
     }
-    return 0;
+    throw std::runtime_error("rejection: an envelope that is too low was not noticed");
 }
 
 }  // namespace sr

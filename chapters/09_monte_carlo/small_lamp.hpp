@@ -67,10 +67,8 @@ private:
     static constexpr Sphere<double> ball{{0.35, 0.3, 0.6}, 0.6};
     static constexpr Sphere<double> lamp{{-0.6, -0.5, 2}, 0.05};
 
-    [[nodiscard]] static double seen_of(std::optional<double> t) { return t ? *t : HUGE_VAL; }
-
     [[nodiscard]] double seen(const Ray<double>& ray, LampSampling way, Vector2<double> u) const {
-        const double to_ball  = seen_of(intersect(ball, ray));
+        const double to_ball  = intersect(ball, ray).value_or(HUGE_VAL);
         const double to_floor = ray.direction.z < 0 ? -ray.origin.z / ray.direction.z : HUGE_VAL;
         if (to_ball < to_floor) {
             const auto at = ray.origin + to_ball * ray.direction;

@@ -42,7 +42,7 @@ struct Stopped {
 };
 
 /// All ways that it can go, each with its probability.
-/// @pre the rule stops at last, whatever the hits
+/// @pre the rule stops at last, whatever the hits; 0 < p < 1
 [[nodiscard]] inline Stopped stopped(const StoppingRule& rule, double p) {
     Stopped             end;
     std::vector<double> going{1};  // probability of k hits, of what has not stopped after n samples

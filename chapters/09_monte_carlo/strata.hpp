@@ -34,6 +34,7 @@ inline constexpr int strata = 16;
 }
 
 /// The variance of the mean over all strata: the sum of sigma_i^2 / n_i, over the number of strata squared.
+/// @pre as many counts as strata, all above 0
 [[nodiscard]] inline double variance_in_strata(const std::vector<int>& counts) {
     const auto deviations = deviations_in_strata();
     double     sum        = 0;
