@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <optional>
 #include <string>
 #include <tuple>
 
@@ -12,6 +13,7 @@
 #include "course/chapter.hpp"
 #include "course/curves.hpp"
 #include "hemisphere_variances.hpp"
+#include "math/bracketed_root.hpp"
 #include "math/degrees.hpp"
 #include "math/extremes.hpp"
 
@@ -136,6 +138,15 @@ void add_caps(course::Chapter& chapter, course::Chart chart, const std::string& 
     chapter.claim_at_most(fmt::format("9.2 {}: caps' variances off [their standard errors]", name), worst, 4);
 }
 
+/// The half-angle of the cap for which both are as good, the cosine and its own cone [deg].
+[[nodiscard]] inline std::optional<double> even_caps() {
+    const auto advantage = [](double angle) {
+        const CapLight cap = cap_of(angle);
+        return cap_variance(CosineDirections{}, cap) - cap_variance(ConeDirections{cap.sine}, cap);
+    };
+    return bracketed_root(advantage, Interval<double>{45, 89});
+}
+
 /// Figure 9.5: samples for an error of 1 % of a cap's irradiance.
 inline void chart_caps(course::Chapter& chapter) {
     auto chart = chapter.chart("cap_light", "A lamp that is a cap of the sky about the zenith",
@@ -146,11 +157,19 @@ inline void chart_caps(course::Chapter& chapter) {
     add_caps(chapter, chart, "by the cosine", 92400, [](const CapLight&) { return CosineDirections{}; });
     add_caps(chapter, chart, "in the cone", 500,
              [](const CapLight& cap) { return ConeDirections{cap.sine}; });
+    const std::string one = "one sample";
+    for (const double angle : {1.0, 80.0}) chart.add(one, angle, {1, 0});
+    chart.as_line(one);
+    chart.as_dashed(one);
+    chart.in_ink(one, course::Ink::grey);
     chart.as_points("measured");
     chart.in_ink("measured", course::Ink::black);
     chart.in_ink("by the cosine", course::Ink::vermilion);
     chart.in_ink("in the cone", course::Ink::green);
-    chart.caption("Lines: exactly. Dots: by the variance of 262 144 samples, with standard errors.");
+    chart.caption(
+        "Lines: exactly. Dots: by the variance of 262 144 samples, with standard errors. Below the dashed "
+        "line "
+        "one sample is enough.");
     const Claims   claim{chapter, "9.2"};
     const CapLight cap     = cap_of(10);
     const double   uniform = cap_variance(UniformDirections{}, cap),
@@ -162,6 +181,10 @@ inline void chart_caps(course::Chapter& chapter) {
     claim("cap of 10 degrees: variance in the cone", 1.75e-7, cone, 5e-10);
     claim("cap of 10 degrees: variance, by the cosine, over that in the cone, in millions", 1.65,
           cosine / cone / 1e6, 0.005);
+    claim("cap of 10 degrees: samples for 1 %, uniform, in thousands", 648, needed(cap, uniform) / 1000, 0.5);
+    claim("cap of 10 degrees: samples for 1 %, by the cosine, in thousands", 322, needed(cap, cosine) / 1000,
+          0.5);
+    claim("half-angle from which the cosine is better than the cone [deg]", 72.7, even_caps().value(), 0.05);
 }
 
 }  // namespace sr

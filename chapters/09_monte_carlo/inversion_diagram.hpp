@@ -17,21 +17,24 @@ namespace sr {
     return std::acos(1 - 2 * u);
 }
 
-/// Axes of a picture 3 wide and 2 high, and its curve.
+/// What an axis shows, and what stands at its end, three units from the origin.
+struct NamedAxis {
+    std::string name, end;
+};
+
+/// Axes of a picture 3 wide and 3 high, and its curve.
 /// @param curve  [0, 1] -> [0, 1], shares of both axes
-inline void draw_function(course::Diagram diagram, course::Point at, const std::string& x,
-                          const std::string& y, const std::function<double(double)>& curve) {
+inline void draw_function(course::Diagram diagram, course::Point at, const NamedAxis& x, const NamedAxis& y,
+                          const std::function<double(double)>& curve) {
     using course::Point;
     diagram.arrow(at, at + Point{3.3, 0}, {course::Ink::grey});
-    diagram.arrow(at, at + Point{0, 2.4}, {course::Ink::grey});
-    diagram.label(at + Point{1.5, -0.3}, x, course::Anchor::centre, course::Ink::grey);
-    diagram.label(at + Point{0.15, 2.4}, y, course::Anchor::left);
-    if (x == "$\\xi$")
-        diagram.label(at + Point{3, -0.3}, "1", course::Anchor::centre, course::Ink::grey);
-    else
-        diagram.label(at + Point{3, -0.3}, "$\\pi$", course::Anchor::centre, course::Ink::grey);
+    diagram.arrow(at, at + Point{0, 3.4}, {course::Ink::grey});
+    diagram.label(at + Point{1.5, -0.25}, x.name, course::Anchor::centre, course::Ink::grey);
+    diagram.label(at + Point{3, -0.25}, x.end, course::Anchor::centre, course::Ink::grey);
+    diagram.label(at + Point{0.15, 3.4}, y.name, course::Anchor::left);
+    diagram.label(at + Point{-0.12, 3}, y.end, course::Anchor::right, course::Ink::grey);
     std::vector<Point> points;
-    for (int i = 0; i <= 240; ++i) points.push_back(at + Point{3 * i / 240.0, 2 * curve(i / 240.0)});
+    for (int i = 0; i <= 240; ++i) points.push_back(at + Point{3 * i / 240.0, 3 * curve(i / 240.0)});
     diagram.line(points, {course::Ink::black, course::Weight::thick});
 }
 
@@ -40,7 +43,7 @@ inline void draw_inversion(course::Diagram diagram) {
     using course::Ink;
     using course::Point;
     constexpr double pi = std::numbers::pi;
-    const Point      density{0, 0}, cumulative{4.2, 0}, inverse{8.4, 0};
+    const Point      density{0, 0}, cumulative{4.1, 0}, inverse{8.2, 0};
     for (int i = 0; i < 10; ++i) {
         const double      u = (i + 0.5) / 10, x = angle_to_pole(u) / pi;
         const bool        followed = i == 2;
@@ -49,15 +52,17 @@ inline void draw_inversion(course::Diagram diagram) {
         const auto last = [&](Point from, Point to) {
             followed ? diagram.arrow(from, to, pen) : diagram.line(from, to, pen);
         };
-        diagram.line(density + Point{3 * x, 0}, density + Point{3 * x, 2 * std::sin(pi * x)}, pen);
-        diagram.line(cumulative + Point{0, 2 * u}, cumulative + Point{3 * x, 2 * u}, pen);
-        last(cumulative + Point{3 * x, 2 * u}, cumulative + Point{3 * x, 0});
-        diagram.line(inverse + Point{3 * u, 0}, inverse + Point{3 * u, 2 * x}, pen);
-        last(inverse + Point{3 * u, 2 * x}, inverse + Point{0, 2 * x});
+        diagram.line(density + Point{3 * x, 0}, density + Point{3 * x, 3 * std::sin(pi * x)}, pen);
+        diagram.line(cumulative + Point{0, 3 * u}, cumulative + Point{3 * x, 3 * u}, pen);
+        last(cumulative + Point{3 * x, 3 * u}, cumulative + Point{3 * x, 0});
+        diagram.line(inverse + Point{3 * u, 0}, inverse + Point{3 * u, 3 * x}, pen);
+        last(inverse + Point{3 * u, 3 * x}, inverse + Point{0, 3 * x});
     }
-    draw_function(diagram, density, "$x$", "$p(x)$", [](double x) { return std::sin(pi * x); });
-    draw_function(diagram, cumulative, "$x$", "$P(x)$", [](double x) { return (1 - std::cos(pi * x)) / 2; });
-    draw_function(diagram, inverse, "$\\xi$", "$P^{-1}(\\xi)$",
+    const NamedAxis x{"$x$", "$\\pi$"};
+    draw_function(diagram, density, x, {"$p(x)$", "½"}, [](double t) { return std::sin(pi * t); });
+    draw_function(diagram, cumulative, x, {"$P(x)$", "1"},
+                  [](double t) { return (1 - std::cos(pi * t)) / 2; });
+    draw_function(diagram, inverse, {"$\\xi$", "1"}, {"$P^{-1}(\\xi)$", "$\\pi$"},
                   [](double u) { return angle_to_pole(u) / pi; });
 }
 

@@ -4,8 +4,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <numbers>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "claims.hpp"
@@ -14,7 +18,9 @@
 #include "math/extremes.hpp"
 #include "numeric_inversion.hpp"
 #include "sampler_test.hpp"
+#include "sampling/philox.hpp"
 #include "sampling/piecewise_constant.hpp"
+#include "sampling/rng.hpp"
 #include "sampling/triangle_points.hpp"
 
 namespace sr {
@@ -23,7 +29,8 @@ inline void show_inversion(course::Chapter& chapter) {
     auto diagram = chapter.diagram("inversion", "A density, its integral, and the inverse");
     draw_inversion(diagram);
     diagram.caption(
-        "Ten unit numbers, equally far apart, are ten angles, close together where $p$ is large.");
+        "Ten unit numbers, equally far apart, are ten angles, close together where $p$ is large. Orange: one "
+        "of them on its way.");
 }
 
 /// Points of a triangle by the square root, and by what comes to mind first.
@@ -72,11 +79,48 @@ inline void show_numeric_inversion(course::Chapter& chapter) {
     return ones;
 }
 
+/// The bin in which the shares of 0, 1, 0, 1 first reach u: not the one to draw from.
+[[nodiscard]] inline int first_bin_to_reach(double u) {
+    constexpr std::array below{0.0, 0.0, 0.5, 0.5, 1.0};  // the share of what lies below each bin, and 1
+    return int(std::lower_bound(below.begin(), below.end(), u) - below.begin()) - 1;
+}
+
+/// What formulas make of xi = 1, and of the last number below.
+inline void claim_xi_of_one(course::Chapter& chapter) {
+    const auto exponential = [](double xi) { return -std::log(1 - xi); };
+    const auto weight      = [](double xi) {  // of a direction by the cosine: cosine over density
+        const double cosine = std::sqrt(1 - xi);
+        return std::abs(cosine / (cosine / std::numbers::pi));
+    };
+    const double last = 1 - 0x1p-53;
+    course::Rows table{{"xi", "-ln(1 - xi)", "weight by the cosine"}};
+    for (const auto& [name, xi] : {std::pair{"1 - 2^-53", last}, {"1", 1.0}})
+        table.add({name, fmt::format("{:.1f}", exponential(xi)), fmt::format("{:.4f}", weight(xi))});
+    chapter.say(table);
+    const Claims claim{chapter, "9.3"};
+    claim("-ln(1 - xi) of the last xi below 1", 36.7, exponential(last), 0.05);
+    claim("of xi = 1: infinite", 1, std::isinf(exponential(1)), 0);
+    claim("weight by the cosine of xi = 1: NaN", 1, std::isnan(weight(1)), 0);
+}
+
+/// The first words of both generators, as their authors print them.
+inline void claim_generators(course::Chapter& chapter) {
+    const Claims claim{chapter, "9.3"};
+    claim("first word of PCG32 for 42, 54", 2'707'161'783, Rng(42, 54).next_u32(), 0);
+    claim("first word of Philox for zeros", 1'713'891'541, philox({}, {})[0], 0);
+}
+
 /// Unit numbers that are 0 or 1, and pieces of density 0.
 inline void claim_ends(course::Chapter& chapter) {
     const Claims claim{chapter, "9.3"};
     claim("words that become 1", 128, words_that_become_one(), 0);
     const PiecewiseConstant<double> table(std::array{0.0, 1.0, 0.0, 1.0});
+    claim_xi_of_one(chapter);
+    course::Rows bins{{"xi", "bin that first reaches it", "bin drawn"}};
+    for (const double u : {0.0, 0.25, 0.5, 0.75})
+        bins.add({u, first_bin_to_reach(u), int(table.bin_of(table.sample(u)))});
+    chapter.say(bins);
+    claim("table of 0, 1, 0, 1: bin that first reaches 0", -1, first_bin_to_reach(0), 0);
     claim("table of 0, 1, 0, 1: bin of u = 0", 1, double(table.bin_of(table.sample(0.0))), 0);
     claim("table of 0, 1, 0, 1: bin of u = 1/2", 3, double(table.bin_of(table.sample(0.5))), 0);
 }

@@ -48,6 +48,7 @@ void hemispheres(course::Chapter& chapter) {
 /// 9.3  How does a uniform number become one of any density?
 void inversion(course::Chapter& chapter) {
     chapter.section("9.3 Drawing from a density: inversion");
+    claim_generators(chapter);
     show_inversion(chapter);
     claim_triangle(chapter);
     show_numeric_inversion(chapter);
@@ -60,6 +61,7 @@ void rejection(course::Chapter& chapter) {
     chapter.section("9.4 Drawing from a density: rejection");
     chart_rejection(chapter);
     chart_trials(chapter);
+    claim_variance_of_trials(chapter);
     claim_lobes(chapter);
     chart_clipped(chapter);
     claim_noticed(chapter);

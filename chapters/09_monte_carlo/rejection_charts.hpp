@@ -24,11 +24,12 @@ inline void chart_rejection(course::Chapter& chapter) {
         chart.add("$f$", i / 50.0, waves(i / 50.0));
     }
     Rng rng{941, 0, 0, 0};
-    int accepted = 0;
+    int accepted = 0, beyond = 0;
     for (int i = 0; i < 300; ++i) {
         const double xi = rng.uniform<double>(), x = draw_fading(rng), height = xi * fading(x);
         const bool   under = height <= waves(x);
         accepted += under;
+        beyond += x >= 4;
         if (x < 4) chart.add(under ? "accepted" : "refused", x, height);
     }
     for (const std::string line : {"$c\\, p$", "$f$"}) chart.as_line(line);
@@ -42,6 +43,7 @@ inline void chart_rejection(course::Chapter& chapter) {
     const Claims claim{chapter, "9.4"};
     claim("waves: share that is accepted [%]", 61.8, 100 * waves_integral, 0.05);
     claim("waves: accepted of 300", 191, accepted, 0);
+    claim("waves: beyond 4, of 300", 7, beyond, 0);
 }
 
 /// What a c of 1/2 draws, where it should be 1.
@@ -128,8 +130,8 @@ inline void claim_noticed(course::Chapter& chapter) {
         return mean.mean();
     };
     const Claims claim{chapter, "9.4"};
-    claim("c of 1/2: draws until it is noticed", 1.46, draws(0.5), 0.005);
-    claim("c of 0.99: draws until it is noticed", 11.7, draws(0.99), 0.05);
+    claim("c of 1/2: trials until it is noticed", 1.46, draws(0.5), 0.005);
+    claim("c of 0.99: trials until it is noticed", 11.7, draws(0.99), 0.05);
 }
 
 }  // namespace sr

@@ -3,12 +3,14 @@
 /// What rejection costs: trials, and time.
 
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 #include <stdexcept>
 #include <tuple>
 
 #include "claims.hpp"
 #include "math/extremes.hpp"
+#include "math/square.hpp"
 #include "moments.hpp"
 #include "sampling/hemisphere.hpp"
 #include "sampling/inversion.hpp"
@@ -31,6 +33,27 @@ namespace sr {
         if (squares > 1) return false;
     }
     return true;
+}
+
+/// How many points of the cube it takes until one lies in the ball.
+[[nodiscard]] inline int trials_until_in_ball(Rng& rng) {
+    int trials = 1;
+    while (!falls_into_ball(rng, 3)) ++trials;
+    return trials;
+}
+
+/// The variance of the trials, (9.13), and that of ten million: its error is that of its mean over 40 parts.
+inline void claim_variance_of_trials(course::Chapter& chapter) {
+    const double a = ball_in_cube(3), exact = (1 - a) / square(a);
+    Running      seen;
+    for (std::uint64_t part = 0; part < 40; ++part)
+        seen.add(moments_of(94'400 + part, trials_until_in_ball, chapter.options().threads).variance.value);
+    const Claims claim{chapter, "9.4"};
+    claim("ball, 3 dimensions: variance of trials", 1.738, exact, 0.0005);
+    claim("ball, 3 dimensions: variance of trials, measured", 1.7375, seen.mean(), 5e-5);
+    claim("its standard error", 0.0015, seen.standard_error(), 5e-5);
+    chapter.claim_at_most("9.4 variance of trials off [standard errors]",
+                          std::abs(seen.mean() - exact) / seen.standard_error(), 4);
 }
 
 /// Figure 9.8: trials for a point of the ball.
@@ -86,6 +109,7 @@ inline void claim_lobes(course::Chapter& chapter) {
     int none = 0;
     for (int i = 0; i < 1000; ++i) none += reject_lobe(rng, 1e4, 1000) ? 0 : 1;
     claim("lobe, exponent 10 000, 1000 trials: without a direction, of 1000", 898, none, 0.5);
+    claim("and expected, of 1000", 905, 1000 * std::pow(1 - 1 / 10'001.0, 1000), 0.5);
 }
 
 /// Figure 9.10: time for a direction, by three ways.

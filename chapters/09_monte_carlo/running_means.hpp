@@ -2,9 +2,8 @@
 /// @file running_means.hpp
 /// The mean of more and more samples: figure 9.2.
 
-#include <fmt/format.h>
-
 #include <cmath>
+#include <string>
 
 #include "course/chapter.hpp"
 #include "estimator.hpp"
@@ -16,18 +15,19 @@ namespace sr {
 inline void chart_running_means(course::Chapter& chapter) {
     auto chart = chapter.chart("running_means", "Five runs that differ in their random numbers alone",
                                {.x = "samples $n$", .y = "mean of $n$ samples", .log = course::axis::x});
-    constexpr int first = 16, last = 1 << 16;
-    const double  I = growth_integral(), sigma = std::sqrt(growth_variance(EvenDensity{}));
+    constexpr int     first = 16, last = 1 << 16;
+    const double      I = growth_integral(), sigma = std::sqrt(growth_variance(EvenDensity{}));
+    const std::string runs = "five runs";
     for (int run = 1; run <= 5; ++run) {
-        const std::string name = fmt::format("run {}", run);
-        Rng               rng{91, run, 0, 0};
-        Running           mean;
+        if (run > 1) chart.gap(runs, first);
+        Rng     rng{91, run, 0, 0};
+        Running mean;
         for (double n = first; n < last * 1.01; n *= std::pow(2.0, 0.25)) {
             mean.merge(monte_carlo(rng, growth, EvenDensity{}, int(n) - int(mean.count())));
-            chart.add(name, int(n), mean.mean());
+            chart.add(runs, int(n), mean.mean());
         }
-        chart.as_line(name);
     }
+    chart.as_line(runs);
     for (const double side : {1.0, -1.0}) {
         const std::string name = side > 0 ? "$I + \\sigma[F_n]$" : "$I - \\sigma[F_n]$";
         for (double n = first; n < last * 1.01; n *= std::pow(2.0, 0.25))
@@ -37,7 +37,8 @@ inline void chart_running_means(course::Chapter& chapter) {
         chart.in_ink(name, course::Ink::black);
     }
     chart.caption(
-        "At any $n$, about two of three runs lie between the dashed lines. A run may well stay on one side.");
+        "Drawn by $p = 1/2$. At any $n$, about two of three runs lie between the dashed lines. A run may "
+        "well stay on one side.");
 }
 
 }  // namespace sr
