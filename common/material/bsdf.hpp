@@ -25,6 +25,7 @@ struct BsdfSample {
     Value                    weight;  ///< f cos / pdf, written without the division that could be 0 / 0
     Pdf<measure::SolidAngle> pdf;     ///< of wi; 0 of a delta, which has no density
     bool                     is_delta = false;  ///< wi was drawn from a set of single directions
+    T                        squeezed = 1;      ///< the part of the weight that is no loss: n^2 of refraction
 };
 
 /// A lobe that sends light into single directions, as mirrors do. Its f is a delta function: there is nothing to

@@ -47,7 +47,7 @@ public:
         Branches<T> both{{reflect(wo), R, {}, true}, {}};
         // the same light in a cone n^2 as wide or as narrow; photons are counted, wherever they go
         const T     scale = mode == TransportMode::radiance ? 1 / (eta * eta) : T{1};
-        if (direction) both.refracted = {*direction, (1 - R) * scale, {}, true};
+        if (direction) both.refracted = {*direction, (1 - R) * scale, {}, true, scale};
         return both;
     }
 

@@ -101,7 +101,8 @@ private:
         const auto one = std::visit([&](const auto& lobe) { return lobe.sample(wo, u, mode); }, part.lobe);
         if (!one) return std::nullopt;
         if (one->is_delta)
-            return BsdfSample<T, Spectrum>{one->wi, float(one->weight / p) * part.weight, {}, true};
+            return BsdfSample<T, Spectrum>{
+                one->wi, float(one->weight / p) * part.weight, {}, true, one->squeezed};
         const auto density = pdf(wo, one->wi);
         if (!(density.value > 0)) return std::nullopt;
         return BsdfSample<T, Spectrum>{one->wi, float(std::abs(one->wi.z) / density.value) * f(wo, one->wi),

@@ -22,6 +22,7 @@ struct SurfaceHit {
     T               t;
     SurfacePoint<T> point;
     std::uint32_t   material;
+    std::uint32_t   surface;  ///< its number: the faces' first, then the balls'
 };
 
 /// A scene's triangles in a hierarchy and its balls in a list, rounded to T.
@@ -49,8 +50,11 @@ public:
             }
         }
         if (ball)
-            return SurfaceHit<T>{range.max, surface_point(ball->sphere, ray, range.max), ball->material};
-        if (face) return SurfaceHit<T>{face->t, on_face(*face, ray), material_of_face_[face->face]};
+            return SurfaceHit<T>{
+                range.max, surface_point(ball->sphere, ray, range.max), ball->material,
+                std::uint32_t(material_of_face_.size()) + std::uint32_t(ball - balls_.data())};
+        if (face)
+            return SurfaceHit<T>{face->t, on_face(*face, ray), material_of_face_[face->face], face->face};
         return std::nullopt;
     }
 

@@ -1,0 +1,98 @@
+#pragma once
+/// @file emitters.hpp
+/// All that shines in a scene, as something that directions are drawn from: towards the light, instead of hoping to
+/// meet it.
+///
+///     const Emitters emitters(scene);
+///     if (const auto light = emitters.sample(point, u))
+///         if (!surfaces.occluded(light->ray, light->range)) L = L + f * cosine * light->arriving;
+
+#include <cstdint>
+#include <optional>
+#include <variant>
+#include <vector>
+
+#include "geometry/offset.hpp"
+#include "geometry/ray.hpp"
+#include "math/interval.hpp"
+#include "sampling/pdf.hpp"
+#include "sampling/piecewise_constant.hpp"
+#include "scene/scene.hpp"
+#include "scene/surfaces.hpp"
+
+namespace sr {
+
+/// How directions to a triangle that shines are drawn.
+enum class TriangleSampling {
+    area,         ///< by its points, each as likely: near it, some count without bound
+    solid_angle,  ///< by its image on the unit sphere
+};
+
+/// A direction to a light, and what comes from there if nothing is between.
+struct LightSample {
+    Ray<float>      ray;        ///< that finds out
+    Interval<float> range;      ///< of it
+    Vec3            direction;  ///< unit vector to the light
+    Spectrum arriving;  ///< radiance over pdf; of a point light, intensity over squared distance [W/m^2]
+    Pdf<measure::SolidAngle>
+        pdf;  ///< of the direction, the choice of the light included; 0 of a point light, which no ray meets
+};
+
+/// Point lights, faces and balls that shine, and the background if it does. One of them is drawn, as often as its
+/// share of the power of all, then a direction to it: to a ball uniformly in its cone, to the background by the
+/// cosine.
+class Emitters {
+public:
+    explicit Emitters(const Scene& scene, TriangleSampling triangles = TriangleSampling::solid_angle);
+
+    /// None if nothing shines, or what was drawn can't be seen from there: it lies in the lamp's plane, for one.
+    /// @param from  whose normal points to where light is to come from
+    /// @param u     uniform in [0, 1)^2
+    [[nodiscard]] std::optional<LightSample> sample(const SurfacePoint<float>& from, Vec2 u) const;
+
+    /// The density with which `sample` draws the direction of a ray that leaves `from` and meets a surface, which
+    /// shines.
+    [[nodiscard]] Pdf<measure::SolidAngle> pdf(const SurfacePoint<float>& from, const Vec3& direction,
+                                               const SurfaceHit<float>& hit) const;
+
+    /// The same if it meets nothing.
+    [[nodiscard]] Pdf<measure::SolidAngle> pdf_of_background(const SurfacePoint<float>& from,
+                                                             const Vec3&                direction) const;
+
+private:
+    struct Face {
+        Triangle<float> triangle;
+        Spectrum        radiance;
+    };
+    struct Globe {
+        Sphere<float> sphere;
+        Spectrum      radiance;
+    };
+    struct Sky {
+        Spectrum radiance;
+    };
+    using Emitter = std::variant<PointLight, Face, Globe, Sky>;
+
+    void add(const Emitter& emitter, double power);
+
+    [[nodiscard]] std::optional<LightSample> drawn(const PointLight& light, const SurfacePoint<float>& from,
+                                                   Vec2 u) const;
+    [[nodiscard]] std::optional<LightSample> drawn(const Face& face, const SurfacePoint<float>& from,
+                                                   Vec2 u) const;
+    [[nodiscard]] std::optional<LightSample> drawn(const Globe& globe, const SurfacePoint<float>& from,
+                                                   Vec2 u) const;
+    [[nodiscard]] std::optional<LightSample> drawn(const Sky& sky, const SurfacePoint<float>& from,
+                                                   Vec2 u) const;
+
+    [[nodiscard]] Pdf<measure::SolidAngle> density(const Face& face, const Vec3& from, const Vec3& direction,
+                                                   const Vec3& hit) const;
+
+    TriangleSampling                         triangles_;
+    std::vector<Emitter>                     emitters_;
+    std::vector<double>                      powers_;
+    std::optional<PiecewiseConstant<double>> choice_;
+    std::vector<std::int32_t>                of_surface_;  ///< which emitter a surface is, or -1
+    std::int32_t                             sky_ = -1;
+};
+
+}  // namespace sr
