@@ -33,7 +33,7 @@ const std::map<std::string, Names> arrows = {
     {"image", {"radiometry"}},
     {"scene", {"sampling", "geometry", "radiometry", "material", "image"}},
     {"radiosity", {"sampling", "geometry", "radiometry", "material", "image", "scene"}},
-    {"transport", {"sampling", "geometry", "radiometry", "material", "image", "scene"}},
+    {"transport", {"statistics", "sampling", "geometry", "radiometry", "material", "image", "scene"}},
     {"course", {"image", "radiometry", "statistics"}},  // radiometry: an image's pixels are spectra
 };
 
