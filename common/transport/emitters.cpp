@@ -81,9 +81,10 @@ void Emitters::add(const Emitter& emitter, double power) {
 
 std::optional<LightSample> Emitters::sample(const SurfacePoint<float>& from, Vec2 u) const {
     if (!choice_) return std::nullopt;
-    const double x    = choice_->sample(double(u.x)) * double(emitters_.size());
-    const auto   i    = choice_->bin_of(x / double(emitters_.size()));
-    const float again = std::min(float(x - double(i)), 0x1.fffffep-1F);  // what is left of u.x, uniform again
+    const double x     = choice_->sample(double(u.x));
+    const auto   i     = choice_->bin_of(x);
+    const double left  = x * double(choice_->size()) - double(i);  // of u.x, uniform again
+    const float  again = std::clamp(float(left), 0.0F, 0x1.fffffep-1F);
     auto light = std::visit([&](const auto& one) { return drawn(one, from, {again, u.y}); }, emitters_[i]);
     if (!light) return std::nullopt;
     light->arriving = light->arriving / float(choice_->probability(i));

@@ -28,14 +28,14 @@ enum class TriangleSampling {
     solid_angle,  ///< by its image on the unit sphere
 };
 
-/// A direction to a light, and what comes from there if nothing is between.
+/// A direction to a light, and what comes from there if nothing is between: if `ray` meets nothing in `range`.
 struct LightSample {
-    Ray<float>      ray;        ///< that finds out
-    Interval<float> range;      ///< of it
+    Ray<float>      ray;
+    Interval<float> range;
     Vec3            direction;  ///< unit vector to the light
-    Spectrum arriving;  ///< radiance over pdf; of a point light, intensity over squared distance [W/m^2]
+    Spectrum        arriving;   ///< radiance over pdf; a point light's intensity over r^2 [W/m^2]
     Pdf<measure::SolidAngle>
-        pdf;  ///< of the direction, the choice of the light included; 0 of a point light, which no ray meets
+        pdf;  ///< of the direction and the light's choice; 0 of a point, which no ray meets
 };
 
 /// Point lights, faces and balls that shine, and the background if it does. One of them is drawn, as often as its

@@ -22,9 +22,9 @@ Sides sides_of(const Material& material) {
     return material.is_transparent() ? Sides::two : Sides::alike;
 }
 
-/// Roulette lets a path go on with the chance q. Where light loses the share 1 - rho at each bounce, the variance is
-/// finite only if q > rho^2 (10.?): q may be no less than the largest rho, and need be no more than 0.95 where that
-/// is less.
+/// Roulette lets a path go on with the chance q. Where light keeps the share rho at each bounce, the variance is finite
+/// only if q > rho^2: q may be as small as the largest rho, and need not be above 0.95 where that is less.
+/// @see Arvo and Kirk, Particle Transport and Image Synthesis (SIGGRAPH 1990)
 float most_likely_to_go_on(const Scene& scene) {
     float rho = 0.95F;
     for (const auto& material : scene.materials) rho = std::max(rho, largest(material.reflectance()));

@@ -8,8 +8,8 @@
 
 namespace sr {
 
-/// What a pixel sees of the image plane, as a density about its middle: no sample has a weight, more of them lie where the
-/// filter is larger. That needs a filter that is nowhere negative.
+/// What a pixel sees of the image plane, as a density about its middle: no sample has a weight, more of them lie
+/// where the filter is larger. That needs a filter that is nowhere negative.
 /// @see Ernst, Stamminger and Greiner, Filter Importance Sampling (2006)
 enum class PixelFilter {
     box,       ///< the pixel and nothing else, evenly

@@ -31,8 +31,8 @@ struct PassOptions {
     PixelFilter filter = PixelFilter::box;
 };
 
-/// Each pixel's mean over passes and, because passes are independent whatever pattern the samples of one have, the mean's
-/// standard error.
+/// Each pixel's mean over passes and, because passes are independent whatever pattern the samples of one have, the
+/// mean's standard error.
 class SampledImage {
 public:
     SampledImage(const Camera<float>& camera, const PassOptions& options)
@@ -57,7 +57,8 @@ public:
     [[nodiscard]] Image<Spectrum> mean() const;
     /// Of the mean of the channels [W/(m^2 sr)], after two passes or more.
     [[nodiscard]] Image<float>    standard_errors() const;
-    /// Root mean square of the pixels' standard errors over the mean of all pixels [1]; infinite before the second pass.
+    /// Root mean square of the pixels' standard errors over the mean of all pixels [1]; infinite before the second
+    /// pass.
     [[nodiscard]] double          relative_error() const;
     [[nodiscard]] std::uint64_t   samples() const;  ///< of all pixels
 

@@ -106,7 +106,8 @@ TEST_CASE("H16: roulette's variance in a furnace, rho / (1 - rho)^2 where paths 
         const auto L = radiances(test::inside_of_a_ball(rho, 1), {.strategy = Strategy::bsdf, .roulette = 0},
                                  askew, paths);
         CHECK(p_of(L, 1 / (1 - double(rho))) > alpha);
-        // a path's sum is the number of its surfaces, a geometric variable, whose fourth moment says how far off it may be
+        // a path's sum is the number of its surfaces, a geometric variable, whose fourth moment says how far off it
+        // may be
         const double r = double(rho), kurtosis = 9 + (1 - r) * (1 - r) / r;
         const double error = variance * std::sqrt((kurtosis - 1) / paths);
         CHECK(z_test(L.variance(), error, variance).p > alpha);
