@@ -13,6 +13,7 @@
 #include "sampling/sphere.hpp"
 #include "sampling/spherical_triangle.hpp"
 #include "sampling/triangle_points.hpp"
+#include "sampling/unit_interval.hpp"
 
 namespace sr {
 namespace {
@@ -84,7 +85,7 @@ std::optional<LightSample> Emitters::sample(const SurfacePoint<float>& from, Vec
     const double x     = choice_->sample(double(u.x));
     const auto   i     = choice_->bin_of(x);
     const double left  = x * double(choice_->size()) - double(i);  // of u.x, uniform again
-    const float  again = std::clamp(float(left), 0.0F, 0x1.fffffep-1F);
+    const float  again = std::clamp(float(left), 0.0F, largest_below_1<float>);
     auto light = std::visit([&](const auto& one) { return drawn(one, from, {again, u.y}); }, emitters_[i]);
     if (!light) return std::nullopt;
     light->arriving = light->arriving / float(choice_->probability(i));
