@@ -181,9 +181,8 @@ inline void chart_caps(course::Chapter& chapter) {
     claim("cap of 10 degrees: variance in the cone", 1.75e-7, cone, 5e-10);
     claim("cap of 10 degrees: variance, by the cosine, over that in the cone, in millions", 1.65,
           cosine / cone / 1e6, 0.005);
-    claim("cap of 10 degrees: samples for 1 %, uniform, in thousands", 648, needed(cap, uniform) / 1000, 0.5);
-    claim("cap of 10 degrees: samples for 1 %, by the cosine, in thousands", 322, needed(cap, cosine) / 1000,
-          0.5);
+    claim("cap of 10 degrees: samples for 1 %, uniform", 648'000, needed(cap, uniform), 500);
+    claim("cap of 10 degrees: samples for 1 %, by the cosine", 322'000, needed(cap, cosine), 500);
     claim("half-angle from which the cosine is better than the cone [deg]", 72.7, even_caps().value(), 0.05);
 }
 

@@ -120,7 +120,7 @@ inline void claim_ends(course::Chapter& chapter) {
     for (const double u : {0.0, 0.25, 0.5, 0.75})
         bins.add({u, first_bin_to_reach(u), int(table.bin_of(table.sample(u)))});
     chapter.say(bins);
-    claim("table of 0, 1, 0, 1: bin that first reaches 0", -1, first_bin_to_reach(0), 0);
+    claim("table of 0, 1, 0, 1: bin that first reaches 0, below 0 by", 1, -first_bin_to_reach(0), 0);
     claim("table of 0, 1, 0, 1: bin of u = 0", 1, double(table.bin_of(table.sample(0.0))), 0);
     claim("table of 0, 1, 0, 1: bin of u = 1/2", 3, double(table.bin_of(table.sample(0.5))), 0);
 }
