@@ -12,6 +12,7 @@
 
 #include "scene/cornell_box.hpp"
 #include "scene/lamps.hpp"
+#include "scene/small_scenes.hpp"
 #include "transport/recursion.hpp"
 
 using namespace sr;
@@ -19,14 +20,6 @@ using namespace sr;
 namespace {
 
 constexpr std::uint32_t paint = 0, lamp = 1;
-
-void add_quad(Scene& scene, const std::array<Vector3<double>, 4>& corners, std::uint32_t material) {
-    const auto first = std::uint32_t(scene.mesh.vertices.size());
-    scene.mesh.vertices.insert(scene.mesh.vertices.end(), corners.begin(), corners.end());
-    scene.mesh.faces.push_back({first, first + 1, first + 2});
-    scene.mesh.faces.push_back({first + 2, first + 3, first});
-    scene.material_of_face.insert(scene.material_of_face.end(), 2, material);
-}
 
 /// A closed lamp with edges of 1.
 void add_cube(Scene& scene, const Vector3<double>& centre) {

@@ -1,13 +1,13 @@
 #pragma once
-/// @file scenes.hpp
-/// Small scenes with known light.
+/// @file small_scenes.hpp
+/// What small scenes with known light are made of.
 
 #include <array>
 #include <cstdint>
 
 #include "scene/scene.hpp"
 
-namespace sr::test {
+namespace sr {
 
 [[nodiscard]] inline Material grey(float reflectance, float emission = 0) {
     return diffuse_material("grey", {reflectance, reflectance, reflectance}, {emission, emission, emission});
@@ -45,4 +45,4 @@ inline void add_cube(Scene& scene, double low, double high) {
     return scene;
 }
 
-}  // namespace sr::test
+}  // namespace sr
