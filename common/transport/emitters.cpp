@@ -32,6 +32,15 @@ double squared_radius_of(const Scene& scene) {
     return low.x <= high.x ? dot(high - low, high - low) / 4 : 1;
 }
 
+/// From three times the distance of the furthest corner, the nearest point is at most twice as near as the furthest:
+/// points that are equally likely count up to four times as much as others, no more.
+float far_from(const Triangle<float>& triangle, const Vec3& middle) {
+    float furthest = 0;
+    for (const Vec3& corner : {triangle.a, triangle.b, triangle.c})
+        furthest = std::max(furthest, dot(corner - middle, corner - middle));
+    return 9 * furthest;
+}
+
 /// Sine of the half-angle of the cone in which a ball is seen; none from inside, from where it is everywhere.
 std::optional<float> sine_of_cone(const Sphere<float>& sphere, const Vec3& from) {
     const float distance = length(sphere.centre - from);
@@ -56,8 +65,10 @@ Emitters::Emitters(const Scene& scene, TriangleSampling triangles)
         const auto&    face = mesh.triangle(i);
         const double   A    = double(area(face));
         if (L == Spectrum{} || !(A > 0)) continue;
-        of_surface_[i] = std::int32_t(emitters_.size());
-        add(Face{face, L}, 2 * pi * A * double(mean(L)));
+        of_surface_[i]    = std::int32_t(emitters_.size());
+        const Vec3 middle = (face.a + face.b + face.c) / 3.0F;
+        add(Face{face, L, normalize(area_vector(face)), float(A), middle, far_from(face, middle)},
+            2 * pi * A * double(mean(L)));
     }
     for (std::size_t i = 0; i < scene.balls.size(); ++i) {
         const auto& [sphere, material] = scene.balls[i];
@@ -107,12 +118,11 @@ std::optional<LightSample> Emitters::drawn(const PointLight& light, const Surfac
 std::optional<LightSample> Emitters::drawn(const Face& face, const SurfacePoint<float>& from, Vec2 u) const {
     const auto& [a, b, c] = face.triangle;
     const Vec3& o         = from.position;
-    const Vec2  weights   = triangles_ == TriangleSampling::area
-                                ? sample_triangle(u)
-                                : SphericalTriangle<float>(a - o, b - o, c - o).sample(u);
-    const auto  point     = surface_point(face.triangle, weights);
-    const Vec3  direction = normalize(point.position - o);
-    const auto  p         = density(face, o, direction, point.position);
+    const Vec2  weights =
+        by_area(face, o) ? sample_triangle(u) : SphericalTriangle<float>(a - o, b - o, c - o).sample(u);
+    const auto point     = surface_point(face.triangle, weights);
+    const Vec3 direction = normalize(point.position - o);
+    const auto p         = density(face, o, direction, point.position);
     if (!(p.value > 0 && std::isfinite(p.value))) return std::nullopt;  // seen from its edge
     return LightSample{between(from, point), before_the_end<float>, direction, face.radiance / float(p.value),
                        p};
@@ -138,14 +148,21 @@ std::optional<LightSample> Emitters::drawn(const Sky& sky, const SurfacePoint<fl
     return LightSample{leave(from, direction), in_front<float>, direction, sky.radiance / float(p.value), p};
 }
 
+bool Emitters::by_area(const Face& face, const Vec3& from) const {
+    if (triangles_ != TriangleSampling::by_distance) return triangles_ == TriangleSampling::area;
+    const Vec3 way = face.middle - from;
+    return dot(way, way) > face.far;
+}
+
 Pdf<measure::SolidAngle> Emitters::density(const Face& face, const Vec3& from, const Vec3& direction,
                                            const Vec3& hit) const {
+    if (by_area(face, from)) {
+        const Vec3 way = hit - from;
+        return to_solid_angle(Pdf<measure::Area>{1 / double(face.area)}, double(dot(way, way)),
+                              std::abs(double(dot(direction, face.normal))));
+    }
     const auto& [a, b, c] = face.triangle;
-    if (triangles_ == TriangleSampling::solid_angle)
-        return {1 / double(SphericalTriangle<float>(a - from, b - from, c - from).solid_angle())};
-    const Vec3   way = hit - from, A = area_vector(face.triangle);
-    const double cosine = std::abs(double(dot(direction, normalize(A))));
-    return to_solid_angle(Pdf<measure::Area>{2 / double(length(A))}, double(dot(way, way)), cosine);
+    return {1 / double(SphericalTriangle<float>(a - from, b - from, c - from).solid_angle())};
 }
 
 Pdf<measure::SolidAngle> Emitters::pdf(const SurfacePoint<float>& from, const Vec3& direction,

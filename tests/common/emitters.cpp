@@ -14,18 +14,19 @@
 
 #include "radiometry/projected_solid_angle.hpp"
 #include "sampling/rng.hpp"
-#include "scenes.hpp"
+#include "scene/small_scenes.hpp"
 #include "statistics/running.hpp"
 #include "statistics/tests.hpp"
 
 using namespace sr;
-using sr::test::grey;
 
 namespace {
 
 constexpr double          pi      = std::numbers::pi;
 constexpr double          alpha   = 1e-5;  // significance of each test here; seeds are fixed
 constexpr int             samples = 40'000;
+constexpr std::array      all_ways{TriangleSampling::area, TriangleSampling::solid_angle,
+                              TriangleSampling::by_distance};
 const SurfacePoint<float> receiver{{0, 0, 0}, {0, 0, 1}, rounding_bound(1.0F)};
 
 /// The irradiance at the receiver by directions that are drawn; `factor` is a planted error.
@@ -59,7 +60,7 @@ Scene with_ball(double radius, const Vector3<double>& centre) {
 Scene with_quad(const std::array<Vector3<double>, 4>& corners) {
     Scene scene;
     scene.materials = {grey(0, 2)};
-    test::add_quad(scene, corners, 0);
+    add_quad(scene, corners, 0);
     return scene;
 }
 
@@ -77,9 +78,11 @@ std::vector<LitScene> lit_scenes() {
     all.push_back({"inside a ball", with_ball(2, {0.5, 0.25, 0}), 2 * pi});
     const std::array<Vector3<double>, 4> lamp{{{-1, -1, 1}, {1, -1, 1}, {1, 1, 1}, {-1, 1, 1}}};
     const std::array<Vector3<double>, 4> near{{{-1, -1, 0.1}, {1, -1, 0.1}, {1, 1, 0.1}, {-1, 1, 0.1}}};
+    const std::array<Vector3<double>, 4> high{{{-1, -1, 5}, {1, -1, 5}, {1, 1, 5}, {-1, 1, 5}}};
     const std::array<Vector3<double>, 4> wall{{{1, -1, -0.5}, {1, 1, -0.5}, {1, 1, 1}, {1, -1, 1}}};
     all.push_back({"B8: lamp above", with_quad(lamp), of_quad(lamp)});
     all.push_back({"lamp nearby", with_quad(near), of_quad(near)});
+    all.push_back({"lamp afar", with_quad(high), of_quad(high)});
     all.push_back({"B9: wall", with_quad(wall), of_quad(wall)});
     Scene sky;
     sky.background = {2, 2, 2};
@@ -102,13 +105,13 @@ std::vector<LitScene> lit_scenes() {
 
 TEST_CASE("emitters: irradiance by directions that are drawn is the closed form's") {
     for (const auto& [name, scene, E] : lit_scenes())
-        for (const auto triangles : {TriangleSampling::area, TriangleSampling::solid_angle}) {
+        for (const auto triangles : all_ways) {
             CAPTURE(name);
             CHECK(irradiance_test(scene, triangles, E).p > alpha);
         }
     // a density that is wrong by 2 % is found, where the variance is small
     const auto all = lit_scenes();
-    for (const std::size_t i : {0U, 3U, 6U, 7U})
+    for (const std::size_t i : {0U, 3U, 5U, 7U, 8U})
         CHECK(irradiance_test(all[i].scene, {}, all[i].irradiance, 1.02).p < alpha);
 }
 
@@ -116,7 +119,7 @@ TEST_CASE(
     "emitters: a ray that was drawn meets what shines, and could have been drawn with the density that it "
     "was") {
     for (const auto& [name, scene, E] : lit_scenes())
-        for (const auto triangles : {TriangleSampling::area, TriangleSampling::solid_angle}) {
+        for (const auto triangles : all_ways) {
             CAPTURE(name);
             const Emitters        emitters(scene, triangles);
             const Surfaces<float> surfaces(scene);
@@ -136,14 +139,26 @@ TEST_CASE(
         }
 }
 
+TEST_CASE("emitters: by distance is by solid angle near a triangle and by area far from it") {
+    const auto drawn = [](double height, TriangleSampling triangles) {
+        const Scene scene = with_quad({{{-1, -1, height}, {1, -1, height}, {1, 1, height}, {-1, 1, height}}});
+        return Emitters(scene, triangles).sample(receiver, {0.3F, 0.6F})->direction;
+    };
+    using enum TriangleSampling;
+    CHECK(drawn(1, by_distance) == drawn(1, solid_angle));
+    CHECK(drawn(1, by_distance) != drawn(1, area));
+    CHECK(drawn(6, by_distance) == drawn(6, area));
+    CHECK(drawn(6, by_distance) != drawn(6, solid_angle));
+}
+
 TEST_CASE("emitters: where nothing shines nothing is drawn, and no lamp lights its own plane") {
     Scene dark;
     dark.materials = {grey(0.5F)};
-    test::add_quad(dark, {{{-1, -1, 1}, {1, -1, 1}, {1, 1, 1}, {-1, 1, 1}}}, 0);
+    add_quad(dark, {{{-1, -1, 1}, {1, -1, 1}, {1, 1, 1}, {-1, 1, 1}}}, 0);
     CHECK_FALSE(Emitters(dark).sample(receiver, {0.5F, 0.5F}));
     dark.materials = {grey(0.5F, 1)};
     const SurfacePoint<float> beside{{3, 0, 1}, {0, 0, 1}, rounding_bound(4.0F)};
-    for (const auto triangles : {TriangleSampling::area, TriangleSampling::solid_angle}) {
+    for (const auto triangles : all_ways) {
         const auto light = Emitters(dark, triangles).sample(beside, {0.25F, 0.5F});
         if (light) CHECK(std::abs(light->direction.z) * light->arriving.g < 1e-4);
     }
