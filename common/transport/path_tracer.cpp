@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <string>
 
 #include "math/square.hpp"
 #include "sampling/halton_point.hpp"
@@ -69,26 +70,54 @@ PathTracer::PathTracer(const Scene& scene, PathOptions options)
             fmt::format("roulette from bounce {}: must be 0 or more", options.roulette));
 }
 
-template <SamplePoint P>
-Spectrum PathTracer::radiance(const Ray<float>& ray, P& point, PathCount& count) const {
+template <SamplePoint P, class Watch>
+void PathTracer::walk(const Ray<float>& ray, P& point, PathCount& count, Watch& watch) const {
     ++count.paths;
-    Spectrum L;
-    Path     path{ray};
+    Path path{ray};
     for (int bounces = 0;; ++bounces) {
         ++count.rays;
         const auto hit = surfaces_.nearest(path.ray);
-        if (!hit) return L + of_background(path);
+        if (!hit) return watch.meets(of_background(path));
         const Material& material = materials_[hit->material];
-        L                        = L + emitted(path, material, *hit);
-        if (bounces == options_.bounces) return L;
+        watch.meets(emitted(path, material, *hit));
+        if (bounces == options_.bounces) return;
 
         const At   at(hit->point, path.ray.direction, sides_of(material));
         const auto on_light = point.template pair<float>();
         const auto on_bsdf  = point.template pair<float>();
-        L                   = L + path.throughput * from_light(at, material.scattering, on_light, count);
-        if (!scatter(path, at, material.scattering, on_bsdf)) return L;
-        if (bounces >= options_.roulette && !survives(path, point.template number<float>())) return L;
+        watch.is_lit(path.throughput * from_light(at, material.scattering, on_light, count));
+        if (!scatter(path, at, material.scattering, on_bsdf)) return;
+        watch.bounces(path.is_delta);
+        if (bounces >= options_.roulette && !survives(path, point.template number<float>())) return;
     }
+}
+
+template <SamplePoint P>
+Spectrum PathTracer::radiance(const Ray<float>& ray, P& point, PathCount& count) const {
+    struct {
+        Spectrum L;
+        void     meets(Spectrum emitted) { L = L + emitted; }
+        void     is_lit(Spectrum reflected) { L = L + reflected; }
+        void     bounces(bool) {}
+    } sum;
+    walk(ray, point, count, sum);
+    return sum.L;
+}
+
+template <SamplePoint P>
+void PathTracer::each_light(const Ray<float>& ray, P& point, PathCount& count,
+                            const FoundLight& found) const {
+    struct {
+        const FoundLight& found;
+        std::string       way = "E";  // of the bounces up to here, the last first
+        void              meets(Spectrum emitted) { tell("L" + way, emitted); }
+        void              is_lit(Spectrum reflected) { tell("LD" + way, reflected); }
+        void              bounces(bool is_delta) { way.insert(0, is_delta ? "S" : "D"); }
+        void              tell(const std::string& whole_way, Spectrum L) const {
+                         if (L != Spectrum{}) found(whole_way, L);
+        }
+    } watch{found};
+    walk(ray, point, count, watch);
 }
 
 float PathTracer::weight(Pdf<measure::SolidAngle> drawn, Pdf<measure::SolidAngle> other) const {
@@ -133,9 +162,10 @@ bool PathTracer::scatter(Path& path, const At& at, const LobeSum<float>& scatter
     if (!sample || sample->weight == Spectrum{}) return false;
     path.throughput = path.throughput * sample->weight;
     path.squeezed *= sample->squeezed;
-    path.ray  = at.leave(sample->wi);
-    path.from = at.point();
-    path.pdf  = sample->pdf;
+    path.ray      = at.leave(sample->wi);
+    path.from     = at.point();
+    path.pdf      = sample->pdf;
+    path.is_delta = sample->is_delta;
     path.only_way =
         sample->is_delta || options_.strategy == Strategy::blind || options_.strategy == Strategy::bsdf;
     return true;
@@ -152,5 +182,11 @@ template Spectrum PathTracer::radiance(const Ray<float>&, RandomPoint&, PathCoun
 template Spectrum PathTracer::radiance(const Ray<float>&, StratifiedPoint&, PathCount&) const;
 template Spectrum PathTracer::radiance(const Ray<float>&, HaltonPoint&, PathCount&) const;
 template Spectrum PathTracer::radiance(const Ray<float>&, SobolPoint&, PathCount&) const;
+
+template void PathTracer::each_light(const Ray<float>&, RandomPoint&, PathCount&, const FoundLight&) const;
+template void PathTracer::each_light(const Ray<float>&, StratifiedPoint&, PathCount&,
+                                     const FoundLight&) const;
+template void PathTracer::each_light(const Ray<float>&, HaltonPoint&, PathCount&, const FoundLight&) const;
+template void PathTracer::each_light(const Ray<float>&, SobolPoint&, PathCount&, const FoundLight&) const;
 
 }  // namespace sr

@@ -11,6 +11,8 @@
 
 #include <concepts>
 #include <cstdint>
+#include <functional>
+#include <string_view>
 #include <vector>
 
 #include "sampling/sample_point.hpp"
@@ -35,7 +37,7 @@ struct PathOptions {
     Strategy strategy = Strategy::power;
     int      bounces  = 1000;  ///< at most so many, 0 to 100 000: what longer paths bring is missing
     int roulette = 3;  ///< from so many bounces on, paths end by chance; never if it is as large as `bounces`
-    TriangleSampling triangles = TriangleSampling::solid_angle;
+    TriangleSampling triangles = TriangleSampling::by_distance;
 };
 
 /// How much work paths were.
@@ -44,6 +46,12 @@ struct PathCount {
 
     PathCount& operator+=(const PathCount& other);
 };
+
+/// Told of light that a path finds: the way it took, and what it brings.
+/// @param way  Heckbert's notation, from the light L to the eye E: S for a bounce of a mirror or of glass, D for any
+///             other, "LSDE" for what shines through a lens on paper
+/// @see Heckbert, Adaptive Radiosity Textures for Bidirectional Ray Tracing (SIGGRAPH 1990)
+using FoundLight = std::function<void(std::string_view way, Spectrum L)>;
 
 class PathTracer {
 public:
@@ -55,6 +63,10 @@ public:
     template <SamplePoint P>
     [[nodiscard]] Spectrum radiance(const Ray<float>& ray, P& point, PathCount& count) const;
 
+    /// The same path; `found` is told each of the terms whose sum is the radiance, none of which is 0.
+    template <SamplePoint P>
+    void each_light(const Ray<float>& ray, P& point, PathCount& count, const FoundLight& found) const;
+
 private:
     using At = Interaction<float>;
 
@@ -65,8 +77,12 @@ private:
         float                    squeezed   = 1;   ///< the part of it that is no loss: n^2 of refraction
         SurfacePoint<float>      from       = {};  ///< where the ray comes from,
         Pdf<measure::SolidAngle> pdf        = {};  ///< with this density
+        bool                     is_delta   = false;
         bool only_way = true;  ///< and lights can't be drawn from there: the camera, a mirror
     };
+
+    template <SamplePoint P, class Watch>
+    void walk(const Ray<float>& ray, P& point, PathCount& count, Watch& watch) const;
 
     [[nodiscard]] Spectrum emitted(const Path& path, const Material& material,
                                    const SurfaceHit<float>& hit) const;

@@ -7,19 +7,21 @@
 
 #include <array>
 #include <cmath>
+#include <map>
+#include <regex>
 #include <string>
+#include <string_view>
 
 #include "refusal.hpp"
 #include "sampling/halton_point.hpp"
 #include "sampling/random_point.hpp"
 #include "sampling/sobol_point.hpp"
 #include "sampling/stratified_point.hpp"
-#include "scenes.hpp"
+#include "scene/small_scenes.hpp"
 #include "statistics/running.hpp"
 #include "statistics/tests.hpp"
 
 using namespace sr;
-using sr::test::grey;
 using sr::test::refusal_of;
 
 namespace {
@@ -54,7 +56,7 @@ Scene uniform_room() {
     Scene scene;
     for (const float rho : {0.0F, 0.2F, 0.4F, 0.6F, 0.8F, 0.9F})
         scene.materials.push_back(grey(rho, 1 - rho));
-    test::add_cube(scene, -1, 1);
+    add_cube(scene, -1, 1);
     return scene;
 }
 
@@ -66,8 +68,8 @@ TEST_CASE("I1: inside a ball that shines, paths of up to k bounces see (1 - rho^
             for (const int k : {0, 1, 3, 10, 1000}) {
                 CAPTURE(int(strategy));
                 CAPTURE(k);
-                const auto L = radiances(test::inside_of_a_ball(rho, 1), {.strategy = strategy, .bounces = k},
-                                         askew, 10'000);
+                const auto L =
+                    radiances(inside_of_a_ball(rho, 1), {.strategy = strategy, .bounces = k}, askew, 10'000);
                 const double r        = double(rho);
                 const double expected = (1 - std::pow(r, k + 1)) / (1 - r);
                 CHECK(p_of(L, expected) > alpha);
@@ -92,7 +94,7 @@ TEST_CASE(
 }
 
 TEST_CASE("I9: a ball that is a mirror within and shines: 5 in every direction") {
-    Scene scene                   = test::inside_of_a_ball(0, 1);
+    Scene scene                   = inside_of_a_ball(0, 1);
     scene.materials[0].scattering = LobeSum<float>{{{{0.8F, 0.8F, 0.8F}, Mirror<float>{}}}};
     CHECK(p_of(radiances(scene, {.roulette = 0}, askew, 40'000), 5) > alpha);
     const auto all = radiances(scene, {.bounces = 100, .roulette = 100}, askew, 2);
@@ -103,8 +105,8 @@ TEST_CASE("I9: a ball that is a mirror within and shines: 5 in every direction")
 TEST_CASE("H16: roulette's variance in a furnace, rho / (1 - rho)^2 where paths go on with the chance rho") {
     for (const auto& [rho, variance] : {std::pair{0.5F, 2.0}, {0.9F, 90.0}}) {
         constexpr std::uint32_t paths = 200'000;
-        const auto L = radiances(test::inside_of_a_ball(rho, 1), {.strategy = Strategy::bsdf, .roulette = 0},
-                                 askew, paths);
+        const auto              L =
+            radiances(inside_of_a_ball(rho, 1), {.strategy = Strategy::bsdf, .roulette = 0}, askew, paths);
         CHECK(p_of(L, 1 / (1 - double(rho))) > alpha);
         // a path's sum is the number of its surfaces, a geometric variable, whose fourth moment says how far off it
         // may be
@@ -112,6 +114,34 @@ TEST_CASE("H16: roulette's variance in a furnace, rho / (1 - rho)^2 where paths 
         const double error = variance * std::sqrt((kurtosis - 1) / paths);
         CHECK(z_test(L.variance(), error, variance).p > alpha);
         CHECK(z_test(L.variance(), error, 1.1 * variance).p < alpha);
+    }
+}
+
+TEST_CASE("a path's light, way by way: its sum is the radiance, and each way is one that there is") {
+    Scene scene = uniform_room();
+    scene.materials.push_back({"glass", LobeSum<float>{{{{1, 1, 1}, Dielectric<float>{1.5F}}}}, {}});
+    scene.balls = {{Sphere<double>{{0.3, 0.6, 0}, 0.25}, 6}};
+    for (const auto strategy : all_strategies) {
+        const PathTracer               tracer(scene, {.strategy = strategy, .bounces = 4});
+        std::map<std::string, Running> ways;
+        PathCount                      count;
+        for (std::uint32_t i = 0; i < 2000; ++i) {
+            HaltonPoint    point(SampleId{.index = i, .count = 2000}), again = point;
+            DoubleSpectrum sum;
+            tracer.each_light(askew, point, count, [&](std::string_view way, Spectrum L) {
+                sum = sum + convert<double>(L);
+                ways[std::string(way)].add(double(L.g));
+            });
+            CHECK(sum.g == doctest::Approx(double(tracer.radiance(askew, again, count).g)).epsilon(1e-5));
+        }
+        for (const auto& [way, L] : ways) {
+            CAPTURE(way);
+            CHECK(std::regex_match(way, std::regex("L[DS]{0,4}E")));
+            CHECK(L.mean() > 0);
+        }
+        CHECK(ways.contains("LSSE"));
+        CHECK(ways.contains("LDSSE"));
+        CHECK_FALSE(ways.contains("LDE"));  // the ball of glass is what the eye meets first
     }
 }
 
@@ -132,7 +162,7 @@ TEST_CASE(
     Scene scene;
     scene.materials = {
         grey(0.5F), {"mirror", LobeSum<float>{{{{1, 1, 1}, Mirror<float>{}}}}, {}}, grey(0, 1)};
-    test::add_quad(scene, {{{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}}}, 1);
+    add_quad(scene, {{{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}}}, 1);
     scene.balls = {{Sphere<double>{{0, 0, 3}, 1}, 2}};
     const Ray<float> to_mirror{{0, 0, 1}, {0, 0, -1}};
     for (const auto strategy : all_strategies)
@@ -141,7 +171,7 @@ TEST_CASE(
 }
 
 TEST_CASE("paths: options that make no sense are refused") {
-    const Scene scene   = test::inside_of_a_ball(0.5F, 1);
+    const Scene scene   = inside_of_a_ball(0.5F, 1);
     const auto  refusal = [&](const PathOptions& options) {
         return refusal_of([&] { PathTracer{scene, options}; });
     };
