@@ -7,7 +7,9 @@
 namespace sr {
 
 Scene cornell_box() {
-    return read_obj(STERADIAN_SCENE_DATA "/cornell_box.obj");
+    Scene scene = read_obj(STERADIAN_SCENE_DATA "/cornell_box.obj");
+    for (auto& material : scene.materials) material.shines_behind = false;
+    return scene;
 }
 
 Scene cornell_box_with_balls() {

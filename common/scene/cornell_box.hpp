@@ -9,7 +9,8 @@
 namespace sr {
 
 /// The box as published: 32 triangles, walls and two blocks, open towards the camera. The light lies 0.1
-/// below the ceiling, whose plane it shares in the original.
+/// below the ceiling, whose plane it shares in the original, and shines from its front only: what its back would give
+/// lights a ring of ceiling as narrow as the gap, and as bright as the lamp.
 /// @throws std::runtime_error when the file of its data can't be read
 [[nodiscard]] Scene cornell_box();
 

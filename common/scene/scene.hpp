@@ -19,8 +19,9 @@ namespace sr {
 /// How a surface scatters light, and what it emits by itself.
 struct Material {
     std::string    name;
-    LobeSum<float> scattering = {};
-    Spectrum       emission   = {};  ///< radiance [W/(m^2 sr)], from either side
+    LobeSum<float> scattering    = {};
+    Spectrum       emission      = {};    ///< radiance [W/(m^2 sr)]
+    bool           shines_behind = true;  ///< also from the side of faces where their normals don't point
 
     /// The share of the light that the lobes scatter: the sum of their weights [1].
     [[nodiscard]] Spectrum reflectance() const;

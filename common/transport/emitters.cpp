@@ -61,14 +61,16 @@ Emitters::Emitters(const Scene& scene, TriangleSampling triangles)
     const Mesh<float> mesh = convert<float>(scene.mesh);
     for (const auto& light : scene.lights) add(light, 4 * pi * double(mean(light.intensity())));
     for (std::size_t i = 0; i < scene.mesh.faces.size(); ++i) {
-        const Spectrum L    = scene.materials[scene.material_of_face[i]].emission;
-        const auto&    face = mesh.triangle(i);
-        const double   A    = double(area(face));
+        const Material& material = scene.materials[scene.material_of_face[i]];
+        const Spectrum  L        = material.emission;
+        const auto&     face     = mesh.triangle(i);
+        const double    A        = double(area(face));
         if (L == Spectrum{} || !(A > 0)) continue;
         of_surface_[i]    = std::int32_t(emitters_.size());
         const Vec3 middle = (face.a + face.b + face.c) / 3.0F;
-        add(Face{face, L, normalize(area_vector(face)), float(A), middle, far_from(face, middle)},
-            2 * pi * A * double(mean(L)));
+        add(Face{face, L, normalize(area_vector(face)), material.shines_behind, float(A), middle,
+                 far_from(face, middle)},
+            (material.shines_behind ? 2 : 1) * pi * A * double(mean(L)));
     }
     for (std::size_t i = 0; i < scene.balls.size(); ++i) {
         const auto& [sphere, material] = scene.balls[i];
@@ -118,7 +120,8 @@ std::optional<LightSample> Emitters::drawn(const PointLight& light, const Surfac
 std::optional<LightSample> Emitters::drawn(const Face& face, const SurfacePoint<float>& from, Vec2 u) const {
     const auto& [a, b, c] = face.triangle;
     const Vec3& o         = from.position;
-    const Vec2  weights =
+    if (!face.shines_behind && dot(o - a, face.normal) <= 0) return std::nullopt;
+    const Vec2 weights =
         by_area(face, o) ? sample_triangle(u) : SphericalTriangle<float>(a - o, b - o, c - o).sample(u);
     const auto point     = surface_point(face.triangle, weights);
     const Vec3 direction = normalize(point.position - o);

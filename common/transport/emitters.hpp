@@ -65,6 +65,7 @@ private:
         Triangle<float> triangle;
         Spectrum        radiance;
         Vec3            normal;  ///< unit vector
+        bool            shines_behind;
         float           area;
         Vec3            middle;
         float           far;  ///< squared distance of the middle from which the triangle counts as small

@@ -127,6 +127,7 @@ float PathTracer::weight(Pdf<measure::SolidAngle> drawn, Pdf<measure::SolidAngle
 
 Spectrum PathTracer::emitted(const Path& path, const Material& material, const SurfaceHit<float>& hit) const {
     if (material.emission == Spectrum{}) return {};
+    if (!material.shines_behind && dot(hit.point.normal, path.ray.direction) > 0) return {};
     const Spectrum L = path.throughput * material.emission;
     if (path.only_way) return L;
     if (options_.strategy == Strategy::light) return {};

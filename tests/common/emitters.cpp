@@ -151,6 +151,21 @@ TEST_CASE("emitters: by distance is by solid angle near a triangle and by area f
     CHECK(drawn(6, by_distance) != drawn(6, solid_angle));
 }
 
+TEST_CASE(
+    "emitters: a lamp that shines from its front lights what lies before it, as one of two sides does") {
+    const auto lit = [](std::array<Vector3<double>, 4> corners, bool shines_behind) {
+        Scene scene                      = with_quad(corners);
+        scene.materials[0].shines_behind = shines_behind;
+        return Emitters(scene).sample(receiver, {0.3F, 0.6F});
+    };
+    const std::array<Vector3<double>, 4> up{{{-1, -1, 1}, {1, -1, 1}, {1, 1, 1}, {-1, 1, 1}}};
+    const std::array<Vector3<double>, 4> down{up[3], up[2], up[1], up[0]};
+    CHECK_FALSE(lit(up, false));
+    CHECK(lit(up, true));
+    REQUIRE(lit(down, false));
+    CHECK(lit(down, false)->arriving == lit(down, true)->arriving);
+}
+
 TEST_CASE("emitters: where nothing shines nothing is drawn, and no lamp lights its own plane") {
     Scene dark;
     dark.materials = {grey(0.5F)};

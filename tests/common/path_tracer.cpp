@@ -117,6 +117,27 @@ TEST_CASE("H16: roulette's variance in a furnace, rho / (1 - rho)^2 where paths 
     }
 }
 
+TEST_CASE(
+    "a lamp that shines from its front is black from behind, and lights no other side, by any strategy") {
+    Scene scene;
+    scene.materials                  = {grey(0.5F), grey(0, 1)};
+    scene.materials[1].shines_behind = false;
+    add_quad(scene, {{{-9, -9, 0}, {9, -9, 0}, {9, 9, 0}, {-9, 9, 0}}}, 0);
+    add_quad(scene, {{{-1, -1, 1}, {1, -1, 1}, {1, 1, 1}, {-1, 1, 1}}}, 1);  // its front is up
+    add_quad(scene, {{{-9, -9, 4}, {9, -9, 4}, {9, 9, 4}, {-9, 9, 4}}}, 0);
+    const Ray<float> to_lamp{{0, 0, 0.5F}, {0, 0, 1}}, to_front{{0, 0, 2}, {0, 0, -1}};
+    const Ray<float> to_floor{{0, 0, 0.5F}, {0, 0, -1}}, to_ceiling{{0, 0, 2}, {0, 0, 1}};
+    for (const auto strategy : all_strategies) {
+        const auto L = [&](const Ray<float>& ray) {
+            return radiances(scene, {.strategy = strategy, .bounces = 1}, ray, 1000).mean();
+        };
+        CHECK(L(to_lamp) == 0);
+        CHECK(L(to_front) == 1);
+        CHECK(L(to_floor) == 0);
+        CHECK(L(to_ceiling) > 0);
+    }
+}
+
 TEST_CASE("a path's light, way by way: its sum is the radiance, and each way is one that there is") {
     Scene scene = uniform_room();
     scene.materials.push_back({"glass", LobeSum<float>{{{{1, 1, 1}, Dielectric<float>{1.5F}}}}, {}});
