@@ -1,0 +1,78 @@
+/// @file main.cpp
+/// Chapter 10, Light transport: all light of a scene by random paths, and how to find it sooner.
+
+#include "course/chapter.hpp"
+
+namespace sr {
+namespace {
+
+/// 10.1  What does a pixel see, after all bounces?
+void random_paths(course::Chapter& chapter) {
+    chapter.section("10.1 Light by random paths");
+}
+
+/// 10.2  Why wait until a path meets the lamp?
+void lamps(course::Chapter& chapter) {
+    chapter.section("10.2 Ask the lamp");
+}
+
+/// 10.3  Which of two ways is right? Both are.
+void both(course::Chapter& chapter) {
+    chapter.section("10.3 Two ways to find light, and their weights");
+}
+
+/// 10.4  When may a path end?
+void roulette(course::Chapter& chapter) {
+    chapter.section("10.4 Russian roulette");
+}
+
+/// 10.5  Which paths are there, and who finds which?
+void ways(course::Chapter& chapter) {
+    chapter.section("10.5 Ways of light");
+}
+
+/// 10.6  Is it right?
+void exactness(course::Chapter& chapter) {
+    chapter.section("10.6 Pictures that are known");
+}
+
+/// 10.7  Do radiosity and paths agree?
+void radiosity(course::Chapter& chapter) {
+    chapter.section("10.7 The box, by two methods");
+}
+
+/// 10.8  Is a pixel a square?
+void filters(course::Chapter& chapter) {
+    chapter.section("10.8 What a pixel sees");
+}
+
+/// 10.9  What does an error cost?
+void efficiency(course::Chapter& chapter) {
+    chapter.section("10.9 Error against time");
+}
+
+/// 10.10  When is a picture done?
+void own_error(course::Chapter& chapter) {
+    chapter.section("10.10 A picture that knows its error");
+}
+
+}  // namespace
+}  // namespace sr
+
+int main(int argc, char** argv) {
+    using namespace sr;
+    const course::Defaults defaults{.size = {.draft = 64, .lecture = 256, .print = 512}, .takes_seed = false};
+    return course::run(argc, argv, "10_light_transport", "Light transport", defaults,
+                       [](course::Chapter& chapter) {
+                           random_paths(chapter);
+                           lamps(chapter);
+                           both(chapter);
+                           roulette(chapter);
+                           ways(chapter);
+                           exactness(chapter);
+                           radiosity(chapter);
+                           filters(chapter);
+                           efficiency(chapter);
+                           own_error(chapter);
+                       });
+}

@@ -1,0 +1,13 @@
+/// @file light_transport.cpp
+/// Chapter 10 from outside: its figures and its claims.
+
+#include <doctest/doctest.h>
+
+#include "chapter_checks.hpp"
+
+using namespace sr::test;
+
+TEST_CASE("chapter 10: claims and text agree, figures have their data, renders do not depend on threads") {
+    const ChapterRuns runs("10_light_transport", "--size 32");
+    runs.check_claims({});
+}
