@@ -11,8 +11,8 @@
 
 #include "albedo_race.hpp"
 #include "border_chart.hpp"
-#include "claims.hpp"
 #include "course/chapter.hpp"
+#include "course/claims.hpp"
 #include "diagrams.hpp"
 #include "experiments.hpp"
 #include "furnace.hpp"
@@ -35,7 +35,7 @@ void definition(course::Chapter& chapter) {
     draw_definition(diagram);
     diagram.caption("The BRDF is the radiance that leaves over the irradiance that caused it, [1/sr].");
     const Vector3<double> n{0, 0, 1};
-    const Claims          claim{chapter, "6.1"};
+    const course::Claims  claim{chapter, "6.1"};
     claim("f of a diffuse surface of 0.8 [1/sr]", 0.255, 0.8 * Diffuse<double>{}.f(n, n), 0.0005);
     claim("largest f of the lobe of exponent 1000 [1/sr]", 159.5, Phong{1000.0}.f(n, n), 0.05);
 }
@@ -44,7 +44,7 @@ void definition(course::Chapter& chapter) {
 void under_skies(course::Chapter& chapter) {
     chapter.section("6.2 The reflectance equation, applied");
     const HemisphereRule rule = hemisphere_rule(128);
-    const Claims         claim{chapter, "6.2"};
+    const course::Claims claim{chapter, "6.2"};
     const auto           wo = at_angle(-50);
     const auto table = [&](const std::string& name, const auto& sky, const std::vector<double>& printed) {
         const double E = irradiance(sky, rule), diffuse = 0.8 * reflected(Diffuse<double>{}, sky, wo, rule);
@@ -69,8 +69,8 @@ void four_laws(course::Chapter& chapter) {
     draw_unclamped(diagram);
     diagram.caption(
         "The power of a negative cosine is light from behind the lobe, negative light, or no number.");
-    constexpr int pairs = 1'000'000;
-    const Claims  claim{chapter, "6.3"};
+    constexpr int        pairs = 1'000'000;
+    const course::Claims claim{chapter, "6.3"};
     for (const double e : {2.0, 3.0, 2.5})
         claim(fmt::format("unclamped, exponent {}: pairs that are wrong [%]", e), 32,
               percent_wrong_behind(e, pairs), 0.5);
@@ -93,8 +93,8 @@ void lobes(course::Chapter& chapter) {
     draw_lobes(diagram);
     diagram.caption("The distance from the lit point is f, in every direction.");
     portray_lobes(chapter);
-    const Claims claim{chapter, "6.4"};
-    const auto   one = Mirror<double>{}.sample(at_angle(89.999), {0.5, 0.5}, TransportMode::radiance);
+    const course::Claims claim{chapter, "6.4"};
+    const auto           one = Mirror<double>{}.sample(at_angle(89.999), {0.5, 0.5}, TransportMode::radiance);
     claim("a mirror of 0.8, sampled near 90 degrees", 0.8, one ? 0.8 * one->weight : 0, 0);
     const auto wo = at_angle(-50);
     claim("f of the diffuse lobe [1/sr]", 0.318, Diffuse<double>{}.f(wo, at_angle(50)), 0.0005);
@@ -106,7 +106,7 @@ void border(course::Chapter& chapter) {
     chapter.section("6.5 Where Phong's lobe makes light");
     chart_border(chapter);
     const HemisphereRule rule = hemisphere_rule(64);
-    const Claims         claim{chapter, "6.5"};
+    const course::Claims claim{chapter, "6.5"};
     const auto normal = [&](double e) { return albedo(Phong(e, PhongScale::none), {0, 0, 1}, rule); };
     const auto limit  = [&](double rho) {
         const auto excess = [&](double e) { return rho * normal(e) - 1; };
@@ -129,7 +129,7 @@ void cures(course::Chapter& chapter) {
     const DividedByLarger over_larger{Phong{10.0}};
     render_furnace(chapter);
 
-    const Claims claim{chapter, "6.6"};
+    const course::Claims claim{chapter, "6.6"};
     claim("(e + 1): albedo at normal incidence", 0.917, chart.at("$(e+1)/2\\pi$", 0), 0.0005);
     claim("(e + 2): albedo at 45 degrees", 0.707, chart.at("$(e+2)/2\\pi$", 45), 0.0005);
     claim("(e + 2): albedo at 75 degrees", 0.292, chart.at("$(e+2)/2\\pi$", 75), 0.0005);
@@ -157,8 +157,8 @@ void cures(course::Chapter& chapter) {
 /// What the text says of one race: the power by which each way's error falls, and its error.
 void claim_powers(course::Chapter& chapter, const std::string& race, const std::vector<AlbedoLap>& laps,
                   const std::vector<std::string>& ways) {
-    const Claims claim{chapter, "6.7"};
-    course::Rows powers{{"race", "way", "power by which the error falls", "standard error"}};
+    const course::Claims claim{chapter, "6.7"};
+    course::Rows         powers{{"race", "way", "power by which the error falls", "standard error"}};
     for (const std::string& way : ways) {
         const auto [power, error] = slope_of(laps, way);
         powers.add({race, way, -power, error});
@@ -177,9 +177,9 @@ void claim_powers(course::Chapter& chapter, const std::string& race, const std::
 /// 6.7  What does an albedo cost?
 void albedo_against_time(course::Chapter& chapter) {
     chapter.section("6.7 An albedo, its error against time");
-    const Claims  claim{chapter, "6.7"};
-    const auto&   options = chapter.options();
-    std::uint64_t curve   = 1;
+    const course::Claims claim{chapter, "6.7"};
+    const auto&          options = chapter.options();
+    std::uint64_t        curve   = 1;
     for (const auto& [name, e, finest] : {std::tuple{"wide", 10.0, 25}, {"narrow", 1000.0, 107}}) {
         const auto laps  = race_phong(e, finest, curve, options.threads);
         auto       chart = chapter.chart(fmt::format("albedo_{}", name),

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <complex>
 
-#include "claims.hpp"
 #include "compressed_light.hpp"
+#include "course/claims.hpp"
 #include "diagrams.hpp"
 #include "fresnel_charts.hpp"
 #include "math/extremes.hpp"
@@ -24,9 +24,9 @@ inline void transparent(course::Chapter& chapter) {
     chart_fresnel(chapter);
     chart_schlick(chapter);
 
-    const Claims       claim{chapter, "6.8"};
-    const std::complex gold{0.2, 3.0};
-    const double       brewster = degrees(std::atan(1.5));
+    const course::Claims claim{chapter, "6.8"};
+    const std::complex   gold{0.2, 3.0};
+    const double         brewster = degrees(std::atan(1.5));
     claim("Brewster's angle of glass [deg]", 56.3, brewster, 0.05);
     chapter.claim_at_most("6.8 reflectance there, polarised in the plane of incidence",
                           glass_at(brewster, 1.5).p, 1e-20);
@@ -57,8 +57,8 @@ inline void radiance_in_glass(course::Chapter& chapter) {
     const auto               counted = count_photons(glass, 1 << 21, 25, chapter.options().threads);
     chart_photons(chapter, glass, counted);
 
-    const Claims claim{chapter, "6.9"};
-    const double refracted = std::asin(std::sin(radians(60)) / 1.5);
+    const course::Claims claim{chapter, "6.9"};
+    const double         refracted = std::asin(std::sin(radians(60)) / 1.5);
     claim("weight of a camera's ray along the normal", 2.16, seen_from_inside(glass, 0), 1e-12);
     claim("weight of one that is seen under 60 degrees outside", 2.049,
           seen_from_inside(glass, degrees(refracted)), 0.0005);

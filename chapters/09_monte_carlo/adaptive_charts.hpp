@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "adaptive_picture.hpp"
-#include "claims.hpp"
+#include "course/claims.hpp"
 #include "repeated.hpp"
 #include "sample_map.hpp"
 #include "stopping.hpp"
@@ -21,10 +21,10 @@ namespace sr {
 
 /// The table of allocations: 1024 samples in 16 strata.
 inline void claim_strata(course::Chapter& chapter) {
-    const Claims claim{chapter, "9.9"};
-    const int    total = 1024;
-    const double even  = variance_in_strata(std::vector<int>(strata, total / strata));
-    const double best  = variance_in_strata(allocated(deviations_in_strata(), total, 1));
+    const course::Claims claim{chapter, "9.9"};
+    const int            total = 1024;
+    const double         even  = variance_in_strata(std::vector<int>(strata, total / strata));
+    const double         best  = variance_in_strata(allocated(deviations_in_strata(), total, 1));
     claim("strata: variance, even [1e-7]", 8.77, 1e7 * even, 5e-3);
     claim("strata: variance, by sigma [1e-7]", 3.19, 1e7 * best, 5e-3);
     claim("strata: gain, by sigma", 2.75, even / best, 5e-3);
@@ -76,7 +76,7 @@ inline void claim_adaptive(course::Chapter& chapter) {
     const double           evenly = relative_error(size, sample_floor(size, even, 2, threads));
     const double           adaptively =
         relative_error(size, sample_floor(size, counts_by_pilot(size, threads), 3, threads));
-    const Claims claim{chapter, "9.9"};
+    const course::Claims claim{chapter, "9.9"};
     claim("shadows: relative error, even [%]", 6.02, 100 * evenly, 5e-3);
     claim("shadows: relative error, adaptive [%]", 4.29, 100 * adaptively, 5e-3);
     const std::vector<int> many(even.size(), 64);
@@ -131,8 +131,8 @@ inline void chart_stopping(course::Chapter& chapter) {
 
 /// The table of p = 0.05.
 inline void claim_stopping(course::Chapter& chapter) {
-    const Claims claim{chapter, "9.9"};
-    const double p = 0.05;
+    const course::Claims claim{chapter, "9.9"};
+    const double         p = 0.05;
     for (const auto& [name, end, mean, rms, samples] :
          {std::tuple{"by the samples", stopped(by_its_samples, p), 0.547, 3.42, 268},
           {"never 0", stopped(never_zero, p), 0.951, 1.19, 471},

@@ -11,9 +11,9 @@
 #include <utility>
 #include <vector>
 
-#include "claims.hpp"
 #include "convergence.hpp"
 #include "course/chapter.hpp"
+#include "course/claims.hpp"
 
 namespace sr {
 
@@ -92,7 +92,7 @@ struct PrintedPower {
 
 inline void claim_powers(course::Chapter& chapter, const std::string& of, const std::vector<PatternLap>& laps,
                          const std::vector<PrintedPower>& printed) {
-    const Claims claim{chapter, "9.7"};
+    const course::Claims claim{chapter, "9.7"};
     course::Rows rows{{"integrand", "points", "power", "standard error", "samples to halve the error"}};
     for (const auto& [method, power, error, law, to_halve] : printed) {
         const Slope  measured = slope_of(laps, method);
@@ -122,12 +122,12 @@ inline void claim_convergence(course::Chapter& chapter, const std::vector<Patter
                   {"jittered", 0.752, 0.007, 0.75, 2.5},
                   {"Halton, moved", 0.732, 0.006, 0, 2.6},
                   {"Sobol', scrambled", 0.760, 0.006, 0.75, 2.5}});
-    const Claims claim{chapter, "9.7"};
-    const auto   gain = [&](const std::string& of, const std::vector<PatternLap>& laps,
+    const course::Claims claim{chapter, "9.7"};
+    const auto           gain = [&](const std::string& of, const std::vector<PatternLap>& laps,
                           const std::string& method, double printed, double error, double digit) {
         const Estimate coarse = error_of(laps, method, 1024), fine = error_of(laps, method, 4096);
         const double   ratio = coarse.value / fine.value;
-        const double   se    = ratio * std::hypot(coarse.error / coarse.value, fine.error / fine.value);
+        const double   se = ratio * std::hypot(coarse.error / coarse.value, fine.error / fine.value);
         claim(of + ", " + method + ": error with 1024 over that with 4096", printed, ratio, digit / 2);
         claim(of + ", " + method + ": its standard error", error, se, digit / 2);
     };

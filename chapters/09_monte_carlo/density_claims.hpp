@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "claims.hpp"
 #include "control_variate.hpp"
+#include "course/claims.hpp"
 #include "moments.hpp"
 #include "power_density.hpp"
 #include "two_densities.hpp"
@@ -27,8 +27,8 @@ struct VarianceRow {
 /// Claims a table of the text. @param stream  of the first row's random numbers
 inline void claim_variances(course::Chapter& chapter, std::uint64_t stream,
                             const std::vector<VarianceRow>& rows) {
-    const Claims claim{chapter, "9.5"};
-    course::Rows table{{"drawn by", "variance", "measured", "standard error"}};
+    const course::Claims claim{chapter, "9.5"};
+    course::Rows         table{{"drawn by", "variance", "measured", "standard error"}};
     for (const auto& row : rows) {
         const auto seen = moments_of(stream++, row.draw, chapter.options().threads).variance;
         table.add({row.name, row.exact, seen.value, seen.error});
@@ -50,8 +50,8 @@ inline void claim_squares(course::Chapter& chapter) {
 
 inline void claim_unseen(course::Chapter& chapter) {
     const auto seen = moments_of(55, [](Rng& rng) { return draw_square({5.5}, rng); }).variance;
-    Claims{chapter, "9.5"}("a = 5.5: variance, measured over exact", 0.55,
-                           seen.value / variance_of_square(5.5), 5e-3);
+    course::Claims{chapter, "9.5"}("a = 5.5: variance, measured over exact", 0.55,
+                                   seen.value / variance_of_square(5.5), 5e-3);
 }
 
 inline void claim_two_lamps(course::Chapter& chapter) {
@@ -88,9 +88,10 @@ inline void claim_control_variates(course::Chapter& chapter) {
         chapter, 121,
         {row("beta = 0", 0, 0.2420, 0.2415, 0.0004, 1e-4), row("beta = 1", 1, 0.0437, 0.0436, 0.0001, 1e-4),
          row("beta = 1.690", best, 0.00394, 0.00393, 0.00001, 1e-5)});
-    Claims{chapter, "9.5"}("best beta", 1.690, best, 5e-4);
-    Claims{chapter, "9.5"}("variance, none over best", 61,
-                           ExponentialLessLine{0}.variance() / ExponentialLessLine{best}.variance(), 0.5);
+    course::Claims{chapter, "9.5"}("best beta", 1.690, best, 5e-4);
+    course::Claims{chapter, "9.5"}("variance, none over best", 61,
+                                   ExponentialLessLine{0}.variance() / ExponentialLessLine{best}.variance(),
+                                   0.5);
 }
 
 inline void claim_two_densities(course::Chapter& chapter) {

@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "claims.hpp"
+#include "course/claims.hpp"
 #include "moments.hpp"
 #include "repeated.hpp"
 #include "square_lamp.hpp"
@@ -64,7 +64,7 @@ void add_density(std::vector<DensityLap>& laps, const std::string& name, std::ui
 }
 
 inline void claim_densities(course::Chapter& chapter, const std::vector<DensityLap>& laps) {
-    const Claims claim{chapter, "9.5"};
+    const course::Claims claim{chapter, "9.5"};
     claim("irradiance of the square", 1.3872, SquareLamp::exact(), 5e-5);
     claim("samples by area for one by solid angle", 35, square(laps[10].error.value / laps[20].error.value),
           0.5);

@@ -13,8 +13,8 @@
 #include <utility>
 #include <vector>
 
-#include "claims.hpp"
 #include "course/chapter.hpp"
+#include "course/claims.hpp"
 #include "dimensions.hpp"
 
 namespace sr {
@@ -53,7 +53,7 @@ inline void claim_errors(course::Chapter& chapter, const std::string& of,
                          const std::vector<DimensionLap>& laps, const std::vector<PrintedErrors>& printed) {
     const std::vector<std::string> methods{"midpoints", "Gauss", "random", "Sobol', in fours",
                                            "Sobol', as one"};
-    const Claims                   claim{chapter, "9.8"};
+    const course::Claims           claim{chapter, "9.8"};
     course::Rows                   rows{{"integrand", "dimensions", "method", "error", "standard error"}};
     for (const auto& [d, errors] : printed)
         for (std::size_t i = 0; i < methods.size(); ++i) {
@@ -97,7 +97,7 @@ inline void claim_dimensions(course::Chapter& chapter, const std::vector<Dimensi
                   {4, {0.0069, 0.033, 0.020, 0.0080, 0.0068}},
                   {8, {0.082, 0.15, 0.13, 0.10, 0.066}},
                   {10, {0.19, 0.38, 0.35, 0.28, 0.22}}});
-    const Claims claim{chapter, "9.8"};
+    const course::Claims claim{chapter, "9.8"};
     claim("smooth, midpoints in 2 dimensions: power by which the error falls", 1.00, midpoint_power(2),
           0.005);
     claim("smooth, midpoints in 4 dimensions: power by which the error falls", 0.50, midpoint_power(4),

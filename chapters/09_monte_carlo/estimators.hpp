@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "claims.hpp"
+#include "course/claims.hpp"
 #include "coverage.hpp"
 #include "hit_or_miss.hpp"
 #include "running_means.hpp"
@@ -27,7 +27,7 @@ inline void show_sample_sizes(course::Chapter& chapter) {
     draw_bars(diagram, 4.6, "$p = 1/2$", even, course::Ink::blue);
     draw_bars(diagram, 9.2, "$p = (1 + 2x)/6$", rising, course::Ink::vermilion);
     diagram.caption("Samples overlap and leave gaps. Where they come often each is narrow.");
-    const Claims claim{chapter, "9.1"};
+    const course::Claims claim{chapter, "9.1"};
     claim("exact integral", 6.389, growth_integral(), 0.0005);
     claim("ten steps", 6.378, sums_of(steps(n)).area, 0.0005);
     claim("ten samples, even", 5.50, sums_of(even).area, 0.005);
@@ -41,8 +41,8 @@ inline void show_sample_sizes(course::Chapter& chapter) {
 
 /// Do repeats lie as far off as they say themselves?
 inline void show_standard_errors(course::Chapter& chapter) {
-    const Claims claim{chapter, "9.1"};
-    course::Rows table{{"samples", "within 1 standard error [%]", "2", "3"}};
+    const course::Claims claim{chapter, "9.1"};
+    course::Rows         table{{"samples", "within 1 standard error [%]", "2", "3"}};
     for (const auto& [n, printed] : {std::pair{4, std::array{59.6, 81.8, 88.6}},
                                      {16, {67.3, 93.0, 98.5}},
                                      {64, {69.1, 95.0, 99.3}},
@@ -74,8 +74,8 @@ inline void show_errors(course::Chapter& chapter) {
         rising.push_back(b.value);
     }
     chapter.say(table);
-    const Claims claim{chapter, "9.1"};
-    const Slope  of_even = log_log_slope(efforts, even), of_rising = log_log_slope(efforts, rising);
+    const course::Claims claim{chapter, "9.1"};
+    const Slope          of_even = log_log_slope(efforts, even), of_rising = log_log_slope(efforts, rising);
     claim("power by which the error falls, even", 0.500, -of_even.value, 0.0005);
     claim("its standard error", 0.004, of_even.standard_error, 0.0005);
     claim("power by which the error falls, rising", 0.501, -of_rising.value, 0.0005);
@@ -86,8 +86,8 @@ inline void show_errors(course::Chapter& chapter) {
 
 /// (9.2) of a disk's indicator.
 inline void show_hit_or_miss(course::Chapter& chapter) {
-    const Claims  claim{chapter, "9.1"};
-    const Running pi = hit_or_miss(1000, chapter.options().threads);
+    const course::Claims claim{chapter, "9.1"};
+    const Running        pi = hit_or_miss(1000, chapter.options().threads);
     claim("pi by a million points", 3.1394, pi.mean(), 5e-5);
     claim("its standard error", 0.0016, pi.standard_error(), 5e-5);
     const double p = std::numbers::pi / 4;

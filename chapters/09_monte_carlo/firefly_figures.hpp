@@ -6,7 +6,7 @@
 #include <string>
 #include <tuple>
 
-#include "claims.hpp"
+#include "course/claims.hpp"
 #include "small_lamp.hpp"
 
 namespace sr {
@@ -24,9 +24,9 @@ inline void render_small_lamp(course::Chapter& chapter) {
 
 /// The table: a ball of radius 0.05 at the distance 2, straight above.
 inline void claim_rare_hits(course::Chapter& chapter) {
-    const Claims   claim{chapter, "9.10"};
-    const double   sine = 0.05 / 2;
-    const RareHits hits{sine * sine};
+    const course::Claims claim{chapter, "9.10"};
+    const double         sine = 0.05 / 2;
+    const RareHits       hits{sine * sine};
     for (const auto& [n, deviation, black, median, digit] : {std::tuple{64, 5.0, 96.0, 0.0, 0.05},
                                                              {1024, 1.25, 53.0, 0.0, 0.005},
                                                              {16'384, 0.31, 0.004, 0.98, 0.005}}) {

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "claims.hpp"
+#include "course/claims.hpp"
 #include "heavy_tails.hpp"
 #include "moments.hpp"
 #include "repeated.hpp"
@@ -41,7 +41,7 @@ inline void chart_jumps(course::Chapter& chapter) {
     for (const int n : {64, 1 << 20}) chart.add("exact", n, 3);
     chart.as_line("exact");
     chart.in_ink("exact", course::Ink::grey);
-    const Claims claim{chapter, "9.10"};
+    const course::Claims claim{chapter, "9.10"};
     claim("mean of 1/r^2: greatest lift by one sample after a million", 0.07, late_lift, 5e-3);
     chart.caption("Rare samples count so much that they lift the mean of all before them.");
 }
@@ -70,8 +70,8 @@ inline void chart_heavy_tails(course::Chapter& chapter) {
     auto chart = chapter.chart(
         "heavy_tails", "Without a variance, errors fall more slowly",
         course::with_error({.x = "samples", .y = "relative error, median", .log = course::axis::xy}));
-    const int    threads = chapter.options().threads;
-    const Claims claim{chapter, "9.10"};
+    const int            threads = chapter.options().threads;
+    const course::Claims claim{chapter, "9.10"};
     const auto claim_slope = [&](const std::string& name, const Slope& slope, double printed, double error) {
         claim(name + ": power with which the median error falls", printed, -slope.value, 5e-4);
         claim(name + ": its standard error", error, slope.standard_error, 5e-4);
@@ -99,7 +99,7 @@ inline void chart_heavy_tails(course::Chapter& chapter) {
 
 /// The table of clamped means and variances, exact and measured.
 inline void claim_clamped(course::Chapter& chapter) {
-    const Claims claim{chapter, "9.10"};
+    const course::Claims claim{chapter, "9.10"};
     struct Row {
         double clamp, mean, variance, mean_in_ball, variance_in_ball, seen, seen_error;
     };

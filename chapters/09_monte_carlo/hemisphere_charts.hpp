@@ -9,8 +9,8 @@
 #include <string>
 #include <tuple>
 
-#include "claims.hpp"
 #include "course/chapter.hpp"
+#include "course/claims.hpp"
 #include "course/curves.hpp"
 #include "hemisphere_variances.hpp"
 #include "math/bracketed_root.hpp"
@@ -53,7 +53,7 @@ inline void show_directions(course::Chapter& chapter) {
         return moments_over_hemisphere(z, p, stream, chapter.options().threads).mean;
     };
     const Estimate uniform = height(9201, UniformDirections{}), cosine = height(9202, CosineDirections{});
-    const Claims   claim{chapter, "9.2"};
+    const course::Claims claim{chapter, "9.2"};
     claim("mean cosine of 262 144, uniform", 0.5009, uniform.value, 5e-5);
     claim("its standard error", 0.0006, uniform.error, 5e-5);
     claim("mean cosine of 262 144, by the cosine", 0.6665, cosine.value, 5e-5);
@@ -97,7 +97,7 @@ inline void chart_powers(course::Chapter& chapter) {
     chart.in_ink("by the cosine", course::Ink::vermilion);
     chart.caption(
         "Lines: exactly. Dots: of 262 144 samples; their standard errors are smaller than they are.");
-    const Claims claim{chapter, "9.2"};
+    const course::Claims claim{chapter, "9.2"};
     for (const auto& [e, uniform, cosine] :
          {std::tuple{1.0, 3.290, 0.0}, {2.0, 3.509, 0.548}, {5.0, 2.492, 0.877}, {50.0, 0.376, 0.182}}) {
         claim(fmt::format("exponent {}: variance, uniform", e), uniform,
@@ -170,11 +170,11 @@ inline void chart_caps(course::Chapter& chapter) {
         "Lines: exactly. Dots: by the variance of 262 144 samples, with standard errors. Below the dashed "
         "line "
         "one sample is enough.");
-    const Claims   claim{chapter, "9.2"};
-    const CapLight cap     = cap_of(10);
-    const double   uniform = cap_variance(UniformDirections{}, cap),
-                 cosine    = cap_variance(CosineDirections{}, cap);
-    const double cone      = cap_variance(ConeDirections{cap.sine}, cap);
+    const course::Claims claim{chapter, "9.2"};
+    const CapLight       cap     = cap_of(10);
+    const double         uniform = cap_variance(UniformDirections{}, cap),
+                 cosine          = cap_variance(CosineDirections{}, cap);
+    const double cone            = cap_variance(ConeDirections{cap.sine}, cap);
     claim("cap of 10 degrees: irradiance [L sr]", 0.0947, cap.irradiance(), 5e-5);
     claim("cap of 10 degrees: variance, uniform", 0.582, uniform, 0.0005);
     claim("cap of 10 degrees: variance, by the cosine", 0.289, cosine, 0.0005);

@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "claims.hpp"
+#include "course/claims.hpp"
 #include "course/number.hpp"
 #include "inversion_diagram.hpp"
 #include "math/extremes.hpp"
@@ -35,10 +35,10 @@ inline void show_inversion(course::Chapter& chapter) {
 
 /// Points of a triangle by the square root, and by what comes to mind first.
 inline void claim_triangle(course::Chapter& chapter) {
-    const int    threads = chapter.options().threads;
-    const Claims claim{chapter, "9.3"};
-    const auto   right = moments_of(
-          931, [](Rng& rng) { return sample_triangle(draw_pair(rng)).y; }, threads);
+    const int            threads = chapter.options().threads;
+    const course::Claims claim{chapter, "9.3"};
+    const auto           right = moments_of(
+                  931, [](Rng& rng) { return sample_triangle(draw_pair(rng)).y; }, threads);
     const auto wrong = moments_of(
         932,
         [](Rng& rng) {
@@ -56,7 +56,7 @@ inline void claim_triangle(course::Chapter& chapter) {
 }
 
 inline void show_numeric_inversion(course::Chapter& chapter) {
-    const Claims              claim{chapter, "9.3"};
+    const course::Claims      claim{chapter, "9.3"};
     const std::vector<double> printed{10.4, 15.5, 10.4};
     course::Rows              table{{"density", "evaluations of P", "time, formula's"}};
     std::size_t               row = 0;
@@ -97,7 +97,7 @@ inline void claim_xi_of_one(course::Chapter& chapter) {
     for (const auto& [name, xi] : {std::pair{"1 - 2^-53", last}, {"1", 1.0}})
         table.add({name, fmt::format("{:.1f}", exponential(xi)), fmt::format("{:.4f}", weight(xi))});
     chapter.say(table);
-    const Claims claim{chapter, "9.3"};
+    const course::Claims claim{chapter, "9.3"};
     claim("-ln(1 - xi) of the last xi below 1", 36.7, exponential(last), 0.05);
     claim("of xi = 1: infinite", 1, std::isinf(exponential(1)), 0);
     claim("weight by the cosine of xi = 1: NaN", 1, std::isnan(weight(1)), 0);
@@ -105,14 +105,14 @@ inline void claim_xi_of_one(course::Chapter& chapter) {
 
 /// The first words of both generators, as their authors print them.
 inline void claim_generators(course::Chapter& chapter) {
-    const Claims claim{chapter, "9.3"};
+    const course::Claims claim{chapter, "9.3"};
     claim("first word of PCG32 for 42, 54", 2'707'161'783, Rng(42, 54).next_u32(), 0);
     claim("first word of Philox for zeros", 1'713'891'541, philox({}, {})[0], 0);
 }
 
 /// Unit numbers that are 0 or 1, and pieces of density 0.
 inline void claim_ends(course::Chapter& chapter) {
-    const Claims claim{chapter, "9.3"};
+    const course::Claims claim{chapter, "9.3"};
     claim("words that become 1", 128, words_that_become_one(), 0);
     const PiecewiseConstant<double> table(std::array{0.0, 1.0, 0.0, 1.0});
     claim_xi_of_one(chapter);
@@ -127,8 +127,8 @@ inline void claim_ends(course::Chapter& chapter) {
 
 /// A right sampler, and one whose exponent is off by a half.
 inline void claim_samplers(course::Chapter& chapter) {
-    const Claims claim{chapter, "9.3"};
-    course::Rows table{{"directions", "p-value, right", "p-value, wrong"}};
+    const course::Claims claim{chapter, "9.3"};
+    course::Rows         table{{"directions", "p-value, right", "p-value, wrong"}};
     for (const auto& [n, right, wrong, digit] : {std::tuple{1000, 0.911, 0.080, 0.0005},
                                                  {10'000, 0.031, 0.019, 0.0005},
                                                  {100'000, 0.581, 0.0, 0.0005}}) {

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <string>
 
-#include "claims.hpp"
+#include "course/claims.hpp"
 #include "math/extremes.hpp"
 #include "moments.hpp"
 #include "overhead_lamp.hpp"
@@ -33,9 +33,9 @@ template <class Draw>
 
 /// What the text says of it.
 inline void claim_overhead_lamp(course::Chapter& chapter) {
-    const Claims       claim{chapter, "9.5"};
-    const int          threads = chapter.options().threads;
-    const OverheadLamp near(0.01), far(10);
+    const course::Claims claim{chapter, "9.5"};
+    const int            threads = chapter.options().threads;
+    const OverheadLamp   near(0.01), far(10);
     claim("a disk at 0.01: deviation by area", 57.7, near.deviation_by_area(), 0.05);
     claim("a disk at 0.01: by solid angle", 0.566, near.deviation_by_solid_angle(), 5e-4);
     claim("a disk at 0.01: by the cosine", 0.01, near.deviation_by_cosine(), 5e-4);

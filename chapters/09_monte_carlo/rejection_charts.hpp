@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "claims.hpp"
+#include "course/claims.hpp"
 #include "math/gauss_legendre.hpp"
 #include "moments.hpp"
 #include "rejection_example.hpp"
@@ -40,7 +40,7 @@ inline void chart_rejection(course::Chapter& chapter) {
     chart.in_ink("refused", course::Ink::vermilion);
     chart.caption(
         "Points are uniform under the upper curve; so those under the lower one are uniform there.");
-    const Claims claim{chapter, "9.4"};
+    const course::Claims claim{chapter, "9.4"};
     claim("waves: share that is accepted [%]", 61.8, 100 * waves_integral, 0.05);
     claim("waves: accepted of 300", 191, accepted, 0);
     claim("waves: beyond 4, of 300", 7, beyond, 0);
@@ -114,7 +114,7 @@ inline void chart_clipped(course::Chapter& chapter) {
     chart.caption(
         "All curves with an integral of 1. What is drawn is cut off where $f > c\\, p$, and too dense "
         "elsewhere.");
-    const Claims claim{chapter, "9.4"};
+    const course::Claims claim{chapter, "9.4"};
     claim("c too small: p-value of what is drawn against min(f, c p)", 0.945,
           chi_square_test(counts, Clipped::expected(Clipped::c)).p, 0.0005);
     chapter.claim_at_most("9.4 c too small: p-value of what is drawn against f",
@@ -129,7 +129,7 @@ inline void claim_noticed(course::Chapter& chapter) {
         for (int i = 0; i < 10'000; ++i) mean.add(draws_until_noticed(rng, c, 1'000'000));
         return mean.mean();
     };
-    const Claims claim{chapter, "9.4"};
+    const course::Claims claim{chapter, "9.4"};
     claim("c of 1/2: trials until it is noticed", 1.46, draws(0.5), 0.005);
     claim("c of 0.99: trials until it is noticed", 11.7, draws(0.99), 0.05);
 }

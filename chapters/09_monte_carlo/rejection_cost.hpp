@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <tuple>
 
-#include "claims.hpp"
+#include "course/claims.hpp"
 #include "math/extremes.hpp"
 #include "math/square.hpp"
 #include "moments.hpp"
@@ -48,7 +48,7 @@ inline void claim_variance_of_trials(course::Chapter& chapter) {
     Running      seen;
     for (std::uint64_t part = 0; part < 40; ++part)
         seen.add(moments_of(94'400 + part, trials_until_in_ball, chapter.options().threads).variance.value);
-    const Claims claim{chapter, "9.4"};
+    const course::Claims claim{chapter, "9.4"};
     claim("ball, 3 dimensions: variance of trials", 1.738, exact, 0.0005);
     claim("ball, 3 dimensions: variance of trials, measured", 1.7375, seen.mean(), 5e-5);
     claim("its standard error", 0.0015, seen.standard_error(), 5e-5);
@@ -77,7 +77,7 @@ inline void chart_trials(course::Chapter& chapter) {
     chart.as_points("measured");
     chart.caption("Dots: 262 144 trials each, with standard errors.");
     chapter.claim_at_most("9.4 points of balls: share accepted off [standard errors]", worst, 4);
-    const Claims claim{chapter, "9.4"};
+    const course::Claims claim{chapter, "9.4"};
     claim("ball, 2 dimensions: trials", 1.273, 1 / ball_in_cube(2), 0.0005);
     claim("ball, 3 dimensions: trials", 1.910, 1 / ball_in_cube(3), 0.0005);
     claim("ball, 10 dimensions: trials", 401.5, 1 / ball_in_cube(10), 0.05);
@@ -94,7 +94,7 @@ inline void chart_trials(course::Chapter& chapter) {
 
 /// Trials of a lobe, e + 1 of them, and those that end without a direction.
 inline void claim_lobes(course::Chapter& chapter) {
-    const Claims claim{chapter, "9.4"};
+    const course::Claims claim{chapter, "9.4"};
     for (const auto& [e, printed, error] : {std::tuple{1, 2.0, 0.0}, {10, 11.1, 0.1}, {100, 99.2, 1.0}}) {
         Rng     rng{945, e, 0, 0};
         Running trials;

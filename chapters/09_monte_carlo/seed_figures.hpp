@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "claims.hpp"
+#include "course/claims.hpp"
 #include "seeds.hpp"
 
 namespace sr {
@@ -23,10 +23,10 @@ inline void render_seeds(course::Chapter& chapter) {
 }
 
 inline void claim_seeds(course::Chapter& chapter) {
-    const Claims        claim{chapter, "9.10"};
-    constexpr int       pixels = 10'000;
-    std::vector<double> by_index, hashed;
-    Running             of_image;
+    const course::Claims claim{chapter, "9.10"};
+    constexpr int        pixels = 10'000;
+    std::vector<double>  by_index, hashed;
+    Running              of_image;
     for (int i = 0; i < pixels; ++i) {
         by_index.push_back(IndexSeeded(i).uniform());
         Rng rng{1, i, 0, 0};

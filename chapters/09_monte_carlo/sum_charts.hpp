@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "claims.hpp"
+#include "course/claims.hpp"
 #include "statistics/running.hpp"
 #include "sums.hpp"
 
@@ -30,8 +30,8 @@ inline void chart_sums(course::Chapter& chapter) {
     }
     for (const auto* way : {"float", "float, Kahan"}) chart.as_line(way);
     chart.caption("In float, $2^{24} + x = 2^{24}$ for all $x < 1$.");
-    const Claims claim{chapter, "9.10"};
-    const double n = 1 << 26;
+    const course::Claims claim{chapter, "9.10"};
+    const double         n = 1 << 26;
     claim("mean of 2^26 ones, added up in float", 0.25, sum_of_ones(1 << 26) / n, 0);
     claim("mean of 2^26 uniform numbers, in float", 0.25, plain / n, 0);
     claim("in double", 0.49999, exact / n, 5e-6);
@@ -40,10 +40,10 @@ inline void chart_sums(course::Chapter& chapter) {
 
 /// Variance by the textbook, and sums in another order.
 inline void claim_sums(course::Chapter& chapter) {
-    const Claims       claim{chapter, "9.10"};
-    Rng                rng{2, 0, 0, 0};
-    std::vector<float> values;
-    Running            running;
+    const course::Claims claim{chapter, "9.10"};
+    Rng                  rng{2, 0, 0, 0};
+    std::vector<float>   values;
+    Running              running;
     for (int i = 0; i < 1'000'000; ++i) {
         values.push_back(1000 + 0.01F * rng.uniform<float>());
         running.add(values.back());

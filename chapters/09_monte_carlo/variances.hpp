@@ -10,9 +10,9 @@
 #include <utility>
 #include <vector>
 
-#include "claims.hpp"
 #include "convergence.hpp"
 #include "course/chapter.hpp"
+#include "course/claims.hpp"
 #include "pattern_mean.hpp"
 #include "point_sets.hpp"
 #include "repeated.hpp"
@@ -40,7 +40,7 @@ public:
         const Estimate measured =
             mean_square(squared_errors(repeats, chapter_.options().threads, truth, once));
         rows_.add({what, formula, measured.value, measured.error});
-        const Claims claim{chapter_, "9.6"};
+        const course::Claims claim{chapter_, "9.6"};
         claim(what + ": variance by formula", printed.formula, formula, printed.digit / 2);
         claim(what + ": variance measured", printed.measured, measured.value, printed.digit / 2);
         claim(what + ": standard error", printed.error, measured.error, printed.digit / 2);
@@ -137,7 +137,7 @@ inline void claim_scrambled_mean(course::Chapter& chapter) {
         means.add(pattern_mean<SobolPoint>(9, seed, 256, of_pair(f)));
     double as_it_is = 0;
     for (const auto& p : sobol_set("", 256).points) as_it_is += f(p) / 256;
-    const Claims claim{chapter, "9.6"};
+    const course::Claims claim{chapter, "9.6"};
     claim("bump: integral", 0.557746, Bump::integral(), 5e-7);
     claim("bump, Sobol', 256 points: mean", 0.559594, as_it_is, 5e-7);
     claim("bump, scrambled: mean of 256 means", 0.557747, means.mean(), 5e-7);
@@ -153,7 +153,7 @@ inline void claim_scrambled_mean(course::Chapter& chapter) {
 inline void claim_boxes(course::Chapter& chapter, const std::vector<PointSet>& sets) {
     const std::vector<std::pair<int, int>> printed{{40, 39}, {64, 39}, {55, 64},
                                                    {17, 31}, {64, 64}, {64, 64}};
-    const Claims                           claim{chapter, "9.6"};
+    const course::Claims                   claim{chapter, "9.6"};
     course::Rows                           rows{{"points", "squares hit", "columns hit"}};
     for (std::size_t i = 0; i < sets.size(); ++i) {
         const int squares = boxes_hit(sets[i].points, 8, 8), columns = boxes_hit(sets[i].points, 64, 1);

@@ -8,12 +8,12 @@
 
 #include "course/chapter.hpp"
 
-namespace sr {
+namespace sr::course {
 
 /// A section's claims: its number, what the text says, and half of the last digit in which it says so.
 struct Claims {
-    course::Chapter& chapter;
-    std::string      section;
+    Chapter&    chapter;
+    std::string section;
 
     void operator()(std::string_view what, double expected, double measured, double tolerance) const {
         chapter.claim(fmt::format("{} {}", section, what),
@@ -21,4 +21,4 @@ struct Claims {
     }
 };
 
-}  // namespace sr
+}  // namespace sr::course
