@@ -10,8 +10,8 @@
 namespace sr {
 
 /// Where a random permutation of 0, 1, ... n - 1 sends i, without a table: a bijection of as many bits as n - 1 has,
-/// or of two, is repeated until it lands below n; of n >= 3 less than twice on average. Any two of the n go to any two places, each as
-/// often: that is what variances need. (Of all orders, not each is as likely.)
+/// or of two, is repeated until it lands below n; of n >= 3 less than twice on average. Any two of the n go to any two
+/// places, each as often: that is what variances need. (Of all orders, not each is as likely.)
 /// @pre i < n, n >= 1
 /// @see Kensler, Correlated Multi-Jittered Sampling (2013), whose bijection is another one
 [[nodiscard]] constexpr std::uint32_t permuted(std::uint32_t i, std::uint32_t n, std::uint64_t seed) {

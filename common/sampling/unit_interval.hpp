@@ -11,8 +11,8 @@ namespace sr {
 template <std::floating_point T>
 inline constexpr T largest_below_1 = 1 - std::numeric_limits<T>::epsilon() / 2;
 
-/// 64 random bits as a multiple of 2^-24 (float) or 2^-53 (double) in [0, 1), by the uppermost of them. Never 1: the bits
-/// that the type can't hold are dropped, where x * 2^-64 would round the largest x up.
+/// 64 random bits as a multiple of 2^-24 (float) or 2^-53 (double) in [0, 1), by the uppermost of them. Never 1: the
+/// bits that the type can't hold are dropped, where x * 2^-64 would round the largest x up.
 template <std::floating_point T>
 [[nodiscard]] constexpr T to_unit_interval(std::uint64_t bits) {
     if constexpr (sizeof(T) == sizeof(float))
