@@ -18,8 +18,7 @@ public:
 
     template <std::floating_point T>
     [[nodiscard]] Vector2<T> pair() {
-        const T x = number<T>(), y = number<T>();
-        return {x, y};
+        return next_two<T>(*this);
     }
 
 private:

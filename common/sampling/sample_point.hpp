@@ -1,7 +1,7 @@
 #pragma once
 /// @file sample_point.hpp
-/// The numbers that one sample of a pixel is made of, as a point of a cube with as many dimensions as are asked for. Which
-/// points the samples of a pixel are together is called a pattern:
+/// The numbers that one sample of a pixel is made of, as a point of a cube with as many dimensions as are asked for.
+/// Which points the samples of a pixel are together is called a pattern:
 ///
 ///     SobolPoint point({.seed = 1, .x = x, .y = y, .index = k, .count = n});
 ///     const auto on_film = point.pair<float>(), on_light = point.pair<float>();
@@ -34,5 +34,12 @@ concept SamplePoint = std::constructible_from<P, SampleId> && requires(P point) 
     { point.template pair<float>() } -> std::same_as<Vector2<float>>;
     { point.template pair<double>() } -> std::same_as<Vector2<double>>;
 };
+
+/// The next two coordinates of a point, x drawn before y.
+template <std::floating_point T, class P>
+[[nodiscard]] Vector2<T> next_two(P& point) {
+    const T x = point.template number<T>(), y = point.template number<T>();
+    return {x, y};
+}
 
 }  // namespace sr

@@ -29,8 +29,7 @@ public:
     template <std::floating_point T>
     [[nodiscard]] Vector2<T> pair() {
         dimension_ += dimension_ % 2;
-        const T x = number<T>(), y = number<T>();
-        return {x, y};
+        return next_two<T>(*this);
     }
 
 private:
