@@ -62,12 +62,13 @@ struct ChartData {
     std::string                   name;   ///< stem of its files
     std::string                   title;  ///< TeX
     Axes                          axes;
-    Rows                          table   = {};
-    std::string                   caption = {};  ///< TeX; the claim that was measured
-    std::vector<MarkedX>          marked  = {};
-    std::map<std::string, Stroke> strokes = {};
-    std::map<std::string, Ink>    inks    = {};  ///< of curves that don't take theirs in turn
-    std::set<std::string>         dashed  = {};
+    Rows                          table    = {};
+    std::string                   caption  = {};  ///< TeX; the claim that was measured
+    std::vector<MarkedX>          marked   = {};
+    std::map<std::string, Stroke> strokes  = {};
+    std::map<std::string, Ink>    inks     = {};  ///< of curves that don't take theirs in turn
+    std::set<std::string>         dashed   = {};
+    std::map<std::string, double> named_at = {};  ///< of curves whose name does not belong to their end: x
 };
 
 /// Handle of a chart; copies fill the same chart.
@@ -102,6 +103,9 @@ public:
     void in_ink(std::string series, Ink ink) { data_->inks[std::move(series)] = ink; }
     /// Dashes a curve's line: what belongs to another one of the same colour.
     void as_dashed(std::string series) { data_->dashed.insert(std::move(series)); }
+
+    /// Puts a curve's name beside its point nearest this x, where its end lies in a crowd of others.
+    void name_at(std::string series, double x) { data_->named_at[std::move(series)] = x; }
 
     void mark_x(double x, std::string label, Ink ink = Ink::grey) {
         data_->marked.push_back({x, std::move(label), ink});

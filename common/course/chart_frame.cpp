@@ -23,10 +23,12 @@ bool is_log(const ChartData& chart, axis which) {
     return chart.axes.log == axis::xy || chart.axes.log == which;
 }
 
-/// The point of a curve with the largest x, wherever it stands in the CSV.
-Point end_of(const Curve& curve) {
-    return *std::max_element(curve.points.begin(), curve.points.end(),
-                             [](const Point& a, const Point& b) { return a.x < b.x; });
+/// The point of a curve that its name belongs to: that with the largest x, wherever it stands in the CSV, or the
+/// nearest to where the chart wants it.
+Point named_point(const Curve& curve) {
+    return *std::ranges::min_element(curve.points, {}, [&](const Point& p) {
+        return curve.named_at ? std::abs(p.x - *curve.named_at) : -p.x;
+    });
 }
 
 /// The smallest and largest of some values.
@@ -155,6 +157,7 @@ void check_styles(const ChartData& chart, const std::vector<Curve>& all) {
     for (const auto& [series, stroke] : chart.strokes) check(series, "as a line or as points");
     for (const auto& [series, ink] : chart.inks) check(series, "in a colour of its own");
     for (const auto& series : chart.dashed) check(series, "dashed");
+    for (const auto& [series, x] : chart.named_at) check(series, "with its name elsewhere");
 }
 
 /// In the words of the note under the chart, for a curve of which no point can be drawn.
@@ -231,19 +234,23 @@ public:
     // Where the label of a curve may stand; of each, whether it covers nothing there, and is placed.
 
     [[nodiscard]] bool right_of_end(const Curve& curve) {
-        return put_first_free({on_canvas(end_of(curve)) + Point{label_gap, 0}}, curve);
+        return put_first_free({on_canvas(named_point(curve)) + Point{label_gap, 0}}, curve);
     }
 
-    /// Beside a point in the right half of the curve, the nearer to its end the better.
+    /// Beside a point within half of the curve's width from the named one, the nearer the better.
     [[nodiscard]] bool beside(const Curve& curve) {
         const TextBlock    block{curve.name};
         const double       up = block.height() / 2 + 8;
         std::vector<Point> places;
         std::vector<Point> points;
         for (const Point& p : curve.points) points.push_back(on_canvas(p));
-        std::sort(points.begin(), points.end(), [](const Point& a, const Point& b) { return a.x > b.x; });
+        const auto [left, right] = std::ranges::minmax(points, {}, &Point::x);
+        const auto distance      = [named = on_canvas(named_point(curve)).x](const Point& p) {
+            return std::abs(p.x - named);
+        };
+        std::ranges::sort(points, {}, distance);
         for (const Point& p : points) {
-            if (p.x < (points.front().x + points.back().x) / 2) break;
+            if (distance(p) > (right.x - left.x) / 2) break;
             for (const Point& shift : {Point{label_gap, 0},
                                        {8, up},
                                        {8, -up},
@@ -259,7 +266,7 @@ public:
     /// Farther from the curve's end, with a leader that crosses nothing.
     [[nodiscard]] bool around_end(const Curve& curve) {
         const TextBlock block{curve.name};
-        const Point     end = on_canvas(end_of(curve));
+        const Point     end = on_canvas(named_point(curve));
         for (double distance = 25; distance <= 100; distance += 15)
             for (int twelfth = 0; twelfth < 12; ++twelfth) {  // of a turn, from straight up
                 const double angle = twelfth * std::numbers::pi / 6;
@@ -281,13 +288,13 @@ public:
         std::vector<double> ends;
         std::vector<double> sizes;
         for (const Curve* curve : curves) {
-            ends.push_back(on_canvas(end_of(*curve)).y);
+            ends.push_back(on_canvas(named_point(*curve)).y);
             sizes.push_back(TextBlock{curve->name}.height());
         }
         const std::vector<double> heights = spread(ends, sizes, frame_.y.from, frame_.y.to);
         for (std::size_t i = 0; i < curves.size(); ++i) {
             const TextBlock block{curves[i]->name};
-            const Point     end   = on_canvas(end_of(*curves[i]));
+            const Point     end   = on_canvas(named_point(*curves[i]));
             const Point     left  = {frame_.x.to + label_gap, heights[i]};
             PlacedLabel     label = block.placed(left, curves[i]->ink);
             if (std::abs(left.y - end.y) > 6 || left.x - end.x > 3 * label_gap) {
@@ -346,7 +353,8 @@ void place_labels(Frame& frame, const ChartData& chart, const std::vector<Curve>
     std::vector<const Curve*> inside;
     frame.x.to = Canvas::width;
     for (const Curve& curve : curves) {
-        const bool at_edge = frame.x(end_of(curve).x) > frame.x.from + 0.85 * (frame.x.to - frame.x.from);
+        const bool at_edge =
+            frame.x(named_point(curve).x) > frame.x.from + 0.85 * (frame.x.to - frame.x.from);
         (at_edge ? in_margin : inside).push_back(&curve);
     }
     for (;;) {
@@ -387,6 +395,8 @@ Curves curves_of(const ChartData& chart, const Rows& grouped) {
             all.push_back({name, ink_of(chart, name, all.size()), i, i, stroke_of(chart, name),
                            chart.dashed.contains(name)});
         all.back().last_row = i;
+        if (const auto found = chart.named_at.find(name); found != chart.named_at.end())
+            all.back().named_at = found->second;
         const Point p{row[x].number(), row[y].number()};
         const bool  gap = !row[y].is_number();
         const bool  shown =

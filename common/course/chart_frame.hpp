@@ -4,6 +4,7 @@
 /// the canvas, y upwards from its lower left corner.
 
 #include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,13 +23,14 @@ struct Bar {
 
 /// One curve: consecutive rows of the CSV.
 struct Curve {
-    std::string        name;
-    Ink                ink;
-    std::size_t        first_row;
-    std::size_t        last_row;
-    Stroke             stroke;
-    bool               dashed = false;
-    std::vector<Bar>   bars   = {};
+    std::string           name;
+    Ink                   ink;
+    std::size_t           first_row;
+    std::size_t           last_row;
+    Stroke                stroke;
+    bool                  dashed   = false;
+    std::vector<Bar>      bars     = {};
+    std::optional<double> named_at = {};  ///< x of the point that its name stands by, if not its end
     std::vector<Point> points = {};  ///< what its axes can show: no gap, nothing negative where logarithmic
 };
 

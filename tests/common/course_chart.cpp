@@ -140,6 +140,28 @@ TEST_CASE("a label that would cover another curve stands apart, with a leader to
     }
 }
 
+TEST_CASE("a curve's name stands beside the point that it is wanted at, and at its end otherwise") {
+    const auto x_of_name = [](auto wanted) {
+        Chart chart{"c", "t", {.x = "x", .y = "y"}};
+        for (int i = 0; i <= 10; ++i) {
+            chart.add("high", i, 10 - i);
+            chart.add("low", i, 0);
+        }
+        wanted(chart);
+        const auto labels = readable_labels(chart);
+        const auto found  = std::ranges::find(labels, std::vector<std::string>{"high"}, &PlacedLabel::lines);
+        REQUIRE(found != labels.end());
+        const Frame frame = lay_out(chart.data(), curves_of(chart.data(), grouped_by_series(chart.data())));
+        return (found->at.x - frame.x.from) / (frame.x.to - frame.x.from);
+    };
+    CHECK(x_of_name([](Chart&) {}) > 1);
+    const double wanted = x_of_name([](Chart& chart) { chart.name_at("high", 2.9); });
+    CHECK(wanted > 0.25);
+    CHECK(wanted < 0.4);
+    CHECK_THROWS_AS(x_of_name([](Chart& chart) { chart.name_at("no such curve", 2.9); }),
+                    std::invalid_argument);
+}
+
 TEST_CASE("a label does not stand on a bar of the next curve") {
     Chart chart{"c", "t", with_error({.x = "x", .y = "y"})};
     chart.add("first", 1, 0, {0});
