@@ -3,6 +3,7 @@
 /// Figures 9.7 and 9.9: what is accepted, and what follows if c is too small.
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -38,6 +39,10 @@ inline void chart_rejection(course::Chapter& chapter) {
     chart.in_ink("$f$", course::Ink::black);
     chart.in_ink("accepted", course::Ink::blue);
     chart.in_ink("refused", course::Ink::vermilion);
+    chart.name_at("$c\\, p$", 0.6);  // at the right, all of them are close to 0
+    chart.name_at("$f$", 1.9);
+    chart.name_at("refused", 1.2);
+    chart.name_at("accepted", 0.6);
     chart.caption(
         "Points are uniform under the upper curve; so those under the lower one are uniform there.");
     const course::Claims claim{chapter, "9.4"};
@@ -111,6 +116,9 @@ inline void chart_clipped(course::Chapter& chapter) {
     chart.in_ink("drawn", course::Ink::black);
     chart.in_ink(f, course::Ink::blue);
     chart.in_ink(cut, course::Ink::vermilion);
+    chart.name_at(f, 0.4);  // at the right, all of them are close to 0
+    chart.name_at(cut, 0.1);
+    chart.name_at("drawn", 1.45);
     chart.caption(
         "All curves with an integral of 1. What is drawn is cut off where $f > c\\, p$, and too dense "
         "elsewhere.");
