@@ -27,7 +27,7 @@ namespace {
 /// The unit square as it is.
 auto plain_chart() {
     const auto same = [](const Vector2<double>& s) { return s; };
-    return Chart{same, same, [](const Vector2<double>&) { return 1.0; }};
+    return DomainMap{same, same, [](const Vector2<double>&) { return 1.0; }};
 }
 
 /// p of a chi-square test of draws from one table against another's values.
