@@ -2,6 +2,8 @@
 /// @file rejection_cost.hpp
 /// What rejection costs: trials, and time.
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <cstdint>
 #include <numbers>
@@ -95,13 +97,14 @@ inline void chart_trials(course::Chapter& chapter) {
 /// Trials of a lobe, e + 1 of them, and those that end without a direction.
 inline void claim_lobes(course::Chapter& chapter) {
     const course::Claims claim{chapter, "9.4"};
-    for (const auto& [e, printed, error] : {std::tuple{1, 2.0, 0.0}, {10, 11.1, 0.1}, {100, 99.2, 1.0}}) {
+    for (const auto& [e, printed, error, digit] :
+         {std::tuple{1, 2.00, 0.01, 0.01}, {10, 11.1, 0.1, 0.1}, {100, 99.2, 1.0, 0.1}}) {
         Rng     rng{945, e, 0, 0};
         Running trials;
         for (int i = 0; i < 10'000; ++i) trials.add(reject_lobe(rng, e, 100'000).value().trials);
-        claim(fmt::format("lobe, exponent {}: trials", e), printed, trials.mean(), 0.05);
+        claim(fmt::format("lobe, exponent {}: trials", e), printed, trials.mean(), digit / 2);
         claim(fmt::format("lobe, exponent {}: standard error of that", e), error, trials.standard_error(),
-              0.05);
+              digit / 2);
         chapter.claim_at_most(fmt::format("9.4 lobe, exponent {}: trials off [standard errors]", e),
                               std::abs(trials.mean() - (e + 1)) / trials.standard_error(), 4);
     }
