@@ -31,7 +31,7 @@ struct RisingDensity {
     [[nodiscard]] double pdf(double x) const { return pdf_linear(x / 2, 1.0, 5.0) / 2; }
 };
 
-/// Equation (9.3) with N = 1: the variance of e^X / p(X).
+/// Equation (9.3) with n = 1: the variance of e^X / p(X).
 template <class Density>
 [[nodiscard]] double growth_variance(const Density& p) {
     double squares = 0;
