@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "course/chapter.hpp"
 #include "estimator.hpp"
@@ -15,23 +16,23 @@ namespace sr {
 inline void chart_running_means(course::Chapter& chapter) {
     auto chart = chapter.chart("running_means", "Five runs that differ in their random numbers alone",
                                {.x = "samples $n$", .y = "mean of $n$ samples", .log = course::axis::x});
-    constexpr int     first = 16, last = 1 << 16;
+    std::vector<int> counts;
+    for (int k = 16; k <= 64; ++k) counts.push_back(int(std::lround(std::exp2(k / 4.0))));
     const double      I = growth_integral(), sigma = std::sqrt(growth_variance(EvenDensity{}));
     const std::string runs = "five runs";
     for (int run = 1; run <= 5; ++run) {
-        if (run > 1) chart.gap(runs, first);
+        if (run > 1) chart.gap(runs, counts.front());
         Rng     rng{91, run, 0, 0};
         Running mean;
-        for (double n = first; n < last * 1.01; n *= std::pow(2.0, 0.25)) {
-            mean.merge(monte_carlo(rng, growth, EvenDensity{}, int(n) - int(mean.count())));
-            chart.add(runs, int(n), mean.mean());
+        for (const int n : counts) {
+            mean.merge(monte_carlo(rng, growth, EvenDensity{}, n - int(mean.count())));
+            chart.add(runs, n, mean.mean());
         }
     }
     chart.as_line(runs);
     for (const double side : {1.0, -1.0}) {
         const std::string name = side > 0 ? "$I + \\sigma[F_n]$" : "$I - \\sigma[F_n]$";
-        for (double n = first; n < last * 1.01; n *= std::pow(2.0, 0.25))
-            chart.add(name, int(n), I + side * sigma / std::sqrt(n));
+        for (const int n : counts) chart.add(name, n, I + side * sigma / std::sqrt(n));
         chart.as_line(name);
         chart.as_dashed(name);
         chart.in_ink(name, course::Ink::black);
