@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
@@ -16,6 +15,7 @@
 #include "course/chapter.hpp"
 #include "course/claims.hpp"
 #include "dimensions.hpp"
+#include "math/extremes.hpp"
 
 namespace sr {
 
@@ -26,7 +26,7 @@ inline void chart_dimensions(course::Chapter& chapter, const std::string& name, 
         course::with_error(
             {.x = "dimensions", .y = "relative error, RMS over seeds", .log = course::axis::y}));
     for (const auto& [method, d, error] : laps)
-        if (error.value > 1e-8) chart.add(method, double(d), error);  // all below are Gauss's
+        if (!(error.value <= 1e-8)) chart.add(method, double(d), error);  // all below are Gauss's
     for (const auto& [method, ink] : {std::pair{"random", course::Ink::blue},
                                       {"Sobol', in fours", course::Ink::purple},
                                       {"Sobol', as one", course::Ink::green},
@@ -121,7 +121,7 @@ inline void claim_dimensions(course::Chapter& chapter, const std::vector<Dimensi
     for (const auto& [method, d, error] : smooth) {
         if (method != "random") continue;
         worst =
-            std::max(worst, std::abs(error.value / random_error(d) - 1) * std::sqrt(2.0 * seeds_of_a_lap));
+            max_or_nan(worst, std::abs(error.value / random_error(d) - 1) * std::sqrt(2.0 * seeds_of_a_lap));
     }
     chapter.claim_at_most("9.8 smooth, random: error less that by its variance [standard errors]", worst, 4);
 }
