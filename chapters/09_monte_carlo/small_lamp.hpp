@@ -34,11 +34,10 @@ public:
         if (way == LampSampling::cone) {
             const auto   w      = frame_around(normalize(to_lamp)).to_world(sample_cone(u, sine));
             const double cosine = dot(w, normal);
-            return cosine > 0 && !hidden(at, normal, w) ? cosine * 2 * std::numbers::pi * cone_height(sine)
-                                                        : 0;
+            return cosine > 0 && !hidden(at, w) ? cosine * 2 * std::numbers::pi * cone_height(sine) : 0;
         }
         const auto w = frame_around(normal).to_world(sample_cosine_hemisphere(u));
-        if (!intersect(lamp, Ray<double>{at, w}) || hidden(at, normal, w)) return 0;
+        if (!intersect(lamp, Ray<double>{at, w}) || hidden(at, w)) return 0;
         return way == LampSampling::clamped ? 10 * overhead : std::numbers::pi;
     }
 
@@ -77,10 +76,10 @@ private:
         return to_floor < HUGE_VAL ? sample(ray.origin + to_floor * ray.direction, {0, 0, 1}, way, u) : 0;
     }
 
-    /// Whether the ball is between a point and the lamp. A convex thing hides nothing from its own upper side.
-    [[nodiscard]] bool hidden(const Vector3<double>& at, const Vector3<double>& normal,
-                              const Vector3<double>& w) const {
-        return normal == Vector3<double>{0, 0, 1} && intersect(ball, Ray<double>{at, w});
+    /// Whether the ball is between a point and the lamp. What starts on it or outside, and away from its middle, never
+    /// meets it.
+    [[nodiscard]] bool hidden(const Vector3<double>& at, const Vector3<double>& w) const {
+        return dot(at - ball.centre, w) < 0 && intersect(ball, Ray<double>{at, w});
     }
 };
 
