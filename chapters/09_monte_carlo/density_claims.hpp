@@ -2,8 +2,10 @@
 /// @file density_claims.hpp
 /// Section 9.5: variances in closed form, and as they are measured.
 
+#include <cstdint>
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "control_variate.hpp"
@@ -49,7 +51,9 @@ inline void claim_squares(course::Chapter& chapter) {
 }
 
 inline void claim_unseen(course::Chapter& chapter) {
-    const auto seen = moments_of(55, [](Rng& rng) { return draw_square({5.5}, rng); }).variance;
+    const auto seen = moments_of(
+                          55, [](Rng& rng) { return draw_square({5.5}, rng); }, chapter.options().threads)
+                          .variance;
     course::Claims{chapter, "9.5"}("a = 5.5: variance, measured over exact", 0.55,
                                    seen.value / variance_of_square(5.5), 5e-3);
 }
