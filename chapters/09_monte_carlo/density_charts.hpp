@@ -3,6 +3,7 @@
 /// Section 9.5: the same integral by densities that are too flat, right, and too steep.
 
 #include <cmath>
+#include <cstdint>
 #include <utility>
 
 #include "course/chapter.hpp"

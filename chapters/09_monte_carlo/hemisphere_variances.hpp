@@ -4,6 +4,7 @@
 /// sky about the zenith.
 
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 
 #include "math/square.hpp"

@@ -1,6 +1,8 @@
 #pragma once
 /// @file hit_or_miss.hpp
 
+#include <cstdint>
+
 #include "math/square.hpp"
 #include "repeated.hpp"
 #include "sampling/rng.hpp"

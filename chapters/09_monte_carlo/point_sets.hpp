@@ -2,6 +2,7 @@
 /// @file point_sets.hpp
 /// Section 9.6: points of the unit square, by pattern, and how well they share it out.
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>

@@ -3,6 +3,7 @@
 /// An estimate is repeated with other random numbers, and its errors are counted.
 
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 

@@ -3,6 +3,8 @@
 /// Does a sampler draw from its density? Cells that should get as many samples each, and a chi-square test of how many
 /// they got.
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 

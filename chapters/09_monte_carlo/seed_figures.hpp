@@ -2,6 +2,8 @@
 /// @file seed_figures.hpp
 /// Section 9.10: the same shadow with pixels that are seeded alike, by their number, and by a hash.
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <tuple>
 #include <utility>

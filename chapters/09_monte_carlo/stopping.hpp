@@ -4,6 +4,7 @@
 /// probability of each number of hits after each number of samples.
 
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
