@@ -79,12 +79,14 @@ void PathTracer::walk(const Ray<float>& ray, P& point, PathCount& count, Watch& 
         const auto hit = surfaces_.nearest(path.ray);
         if (!hit) return watch.meets(of_background(path));
         const Material& material = materials_[hit->material];
+        // what shines here, times what light from here counts
         watch.meets(emitted(path, material, *hit));
         if (bounces == options_.bounces) return;
 
         const At   at(hit->point, path.ray.direction, sides_of(material));
         const auto on_light = point.template pair<float>();
         const auto on_bsdf  = point.template pair<float>();
+        // light that is asked for; light that bounces follows
         watch.is_lit(path.throughput * from_light(at, material.scattering, on_light, count));
         if (!scatter(path, at, material.scattering, on_bsdf)) return;
         watch.bounces(path.is_delta);
@@ -121,6 +123,7 @@ void PathTracer::each_light(const Ray<float>& ray, P& point, PathCount& count,
 }
 
 float PathTracer::weight(Pdf<measure::SolidAngle> drawn, Pdf<measure::SolidAngle> other) const {
+    // p / (p + q) and p^2 / (p^2 + q^2), by q / p: neither overflows
     const double ratio = other.value / drawn.value;
     return float(1 / (1 + (options_.strategy == Strategy::power ? square(ratio) : ratio)));
 }
@@ -130,6 +133,7 @@ Spectrum PathTracer::emitted(const Path& path, const Material& material, const S
     if (!material.shines_behind && dot(hit.point.normal, path.ray.direction) > 0) return {};
     const Spectrum L = path.throughput * material.emission;
     if (path.only_way) return L;
+    // the surface that the path comes from has asked for this light
     if (options_.strategy == Strategy::light) return {};
     return weight(path.pdf, emitters_.pdf(path.from, path.ray.direction, hit)) * L;
 }
@@ -161,6 +165,7 @@ bool PathTracer::scatter(Path& path, const At& at, const LobeSum<float>& scatter
     const auto sample =
         blind ? blind_sample(scattering, at.wo(), u) : scattering.sample(at.wo(), u, TransportMode::radiance);
     if (!sample || sample->weight == Spectrum{}) return false;
+    // f cos / p, which is what light from the next surface counts here
     path.throughput = path.throughput * sample->weight;
     path.squeezed *= sample->squeezed;
     path.ray      = at.leave(sample->wi);
