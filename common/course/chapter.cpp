@@ -5,11 +5,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <csignal>
 #include <stdexcept>
 
 #include "course/draw.hpp"
 #include "course/errors.hpp"
 #include "course/gnuplot.hpp"
+#include "course/interruptible.hpp"
 #include "course/number.hpp"
 #include "course/terminal.hpp"
 #include "image/whole_file.hpp"
@@ -92,6 +94,14 @@ void print_closing(const std::vector<Figure>& figures, const fs::path& folder, c
     fmt::print("\n{} in {}, all of them in {}\n", what, folder.string(), index.string());
     if (undrawn != 0)
         fmt::print("gnuplot was not found: install it for the charts; `./course doctor` says how\n");
+}
+
+/// Gives the lecture. @return whether it came to its end, and was not interrupted
+bool ends_by_itself(const Lecture& lecture, Chapter& chapter) try {
+    lecture(chapter);
+    return true;
+} catch (const Interrupted&) {
+    return false;
 }
 
 }  // namespace
@@ -208,8 +218,11 @@ int run(int argc, const char* const* argv, std::string_view name, std::string_vi
     try {
         Chapter chapter{std::string{name}, title, *parsed.options};
         fmt::print("{}\n", emphasise(title, Emphasis::strong));
-        lecture(chapter);
-        return chapter.finish() ? 0 : claim_failed;
+        const bool whole = ends_by_itself(lecture, chapter);
+        const bool hold  = chapter.finish();
+        std::fflush(stdout);
+        if (!whole) std::raise(SIGINT);
+        return hold ? 0 : claim_failed;
     } catch (const std::exception& error) {
         std::fflush(stdout);
         return report_error(name, error);

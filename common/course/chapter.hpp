@@ -81,7 +81,8 @@ private:
 using Lecture = std::function<void(Chapter&)>;
 
 /// Runs a chapter's program from its options to its table of claims.
-/// @return the exit code: 0, 1 when a claim failed, 2 after one line on stderr that says what was wrong
+/// @return the exit code: 0, 1 when a claim failed, 2 after one line on stderr that says what was wrong. After an
+///         interrupt, also one that the lecture saw and passes on as Interrupted, the program ends with 130
 [[nodiscard]] int run(int argc, const char* const* argv, std::string_view name, std::string_view title,
                       const Defaults& defaults, const Lecture& lecture);
 [[nodiscard]] int run(int argc, const char* const* argv, std::string_view name, std::string_view title,

@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "child.hpp"
+#include "course/interruptible.hpp"
 #include "scratch_folder.hpp"
 
 using namespace sr;
@@ -41,6 +42,12 @@ void small_chapter(Chapter& chapter) {
     chapter.render("grey", "A grey image", "All $L = 0.5$", Image<Spectrum>(32, 16, {0.5F, 0.5F, 0.5F}));
     chapter.say("took 3 s");
     chapter.claim("99.1 one, or nearly", {.expected = 1, .measured = 1.25, .tolerance = 0.25});
+}
+
+/// Sends Ctrl-C to the child as soon as it has made the file.
+void interrupt_once_there(pid_t child, const std::filesystem::path& file) {
+    while (!std::filesystem::exists(file) && test::runs(child)) std::this_thread::yield();
+    ::kill(child, SIGINT);
 }
 
 bool contains(const std::string& text, std::string_view part) {
@@ -216,15 +223,62 @@ TEST_CASE("Ctrl-C in a long operation ends the program with 130 at once, and all
             Progress progress{"forever", 1'000'000};
             for (;;) progress.tick(0);
         },
-               {},
-               [&](pid_t child) {
-            while (!std::filesystem::exists(out.path / "started") && test::runs(child))
-                std::this_thread::yield();
-            ::kill(child, SIGINT);
-        });
+               {}, [&](pid_t child) { interrupt_once_there(child, out.path / "started"); });
     CHECK(ended.code == 130);
     CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(20));
     CHECK(read_text(out.path / "99_demo" / "line.csv") == before);
+}
+
+TEST_CASE("a lecture that Ctrl-C may end early saves what it has, says so, and its program ends with 130") {
+    const ScratchFolder out{"chapter_interruptible"};
+    const auto          folder = out.path / "99_demo";
+    const Ended         ended  = run_program(
+                 out.path,
+                 [&](Chapter& chapter) {
+            const Interruptible interrupt;
+            std::ofstream{out.path / "started"} << "x";
+            while (!interrupt.asked()) std::this_thread::yield();
+            small_chapter(chapter);
+            throw Interrupted{};
+        },
+                 {}, [&](pid_t child) { interrupt_once_there(child, out.path / "started"); });
+    CHECK(ended.code == 130);
+    CHECK(contains(ended.out, "1 claim, all hold"));
+    CHECK(ended.err == "99_demo: interrupted: 3 figures so far in " + folder.string() + "\n");
+    CHECK(read_csv(folder / "captions.csv").rows.size() == 3);
+    CHECK(std::filesystem::exists(folder / "line.csv"));
+    for (const auto& entry : std::filesystem::directory_iterator(folder))
+        CHECK(entry.path().filename().string().front() != '.');
+}
+
+TEST_CASE(
+    "the second Ctrl-C ends a lecture that saves what it has, and so does the first once all is saved") {
+    const ScratchFolder out{"chapter_interruptible_twice"};
+    const auto          forever = [] {
+        for (;;) std::this_thread::yield();
+    };
+    const auto second = [&](Chapter&) {
+        const Interruptible interrupt;
+        std::ofstream{out.path / "started"} << "x";
+        while (!interrupt.asked()) std::this_thread::yield();
+        std::ofstream{out.path / "asked"} << "x";
+        forever();
+    };
+    const auto after = [&](Chapter&) {
+        { const Interruptible interrupt; }
+        std::ofstream{out.path / "saved"} << "x";
+        forever();
+    };
+    const Ended twice = run_program(out.path, second, {}, [&](pid_t child) {
+        interrupt_once_there(child, out.path / "started");
+        interrupt_once_there(child, out.path / "asked");
+    });
+    CHECK(twice.code == 130);
+    CHECK(twice.err == "99_demo: interrupted: before its first figure\n");
+    CHECK_FALSE(std::filesystem::exists(out.path / "99_demo"));
+    const Ended once = run_program(out.path, after, {},
+                                   [&](pid_t child) { interrupt_once_there(child, out.path / "saved"); });
+    CHECK(once.code == 130);
 }
 
 TEST_CASE("a figure is written when its section ends, and an interrupt says where those are that were") {
