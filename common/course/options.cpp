@@ -20,6 +20,11 @@ namespace {
 
 using Values = std::map<std::string, std::string>;
 
+/// The error of a render that ends by it, where the person names none.
+double error_at(Quality quality) {
+    return quality == Quality::draft ? 0.1 : quality == Quality::lecture ? 0.05 : 0.025;
+}
+
 int cores() {
     return std::max(1, int(std::thread::hardware_concurrency()));
 }
@@ -54,17 +59,24 @@ std::vector<CommandOption> shared_options(const std::optional<Defaults>& chapter
         all.push_back({"--scene", "FILE",
                        fmt::format("OBJ file: section {} renders it, the others keep their own scenes",
                                    chapter->scene_section)});
+    if (chapter && !chapter->error_section.empty())
+        all.push_back(
+            {"--error", "X",
+             fmt::format("standard error at which the render of section {} is done, as a share of its "
+                         "mean [{} draft, {} lecture, {} print]",
+                         chapter->error_section, error_at(Quality::draft), error_at(Quality::lecture),
+                         error_at(Quality::print))});
     return all;
 }
 
-/// The value of an option as a whole number from `min` to `max`; `rule` says so in the error.
-template <class Integer>
-Integer whole_number(const std::string& option, const std::string& text, Integer min, Integer max,
-                     std::string_view rule) {
-    Integer     number{};
+/// The value of an option as a number from `min` to `max`, a whole one if these are; `rule` says so in the error.
+template <class Number>
+Number number_of(const std::string& option, const std::string& text, Number min, Number max,
+                 std::string_view rule) {
+    Number      number{};
     const char* end             = text.data() + text.size();
     const auto [stopped, error] = std::from_chars(text.data(), end, number);
-    if (error != std::errc{} || stopped != end || number < min || number > max)
+    if (error != std::errc{} || stopped != end || !(min <= number && number <= max))
         throw std::invalid_argument(fmt::format("{} {}: {}", option, text, rule));
     return number;
 }
@@ -118,16 +130,18 @@ Options checked(const Values& given, const Defaults& defaults) {
     o.out             = value("--out", "figures");
     o.quality         = quality(value("--quality", "lecture"));
     const int samples = defaults.samples ? defaults.samples->at(o.quality) : o.samples;
-    o.size    = whole_number("--size", value("--size", std::to_string(defaults.size.at(o.quality))), 16, 8192,
-                             "the image's edge must be 16 to 8192 pixels");
-    o.samples = whole_number("--samples", value("--samples", std::to_string(samples)), 1, 1'000'000,
-                             "the number of samples must be 1 to 1000000");
+    o.size    = number_of("--size", value("--size", std::to_string(defaults.size.at(o.quality))), 16, 8192,
+                          "the image's edge must be 16 to 8192 pixels");
+    o.samples = number_of("--samples", value("--samples", std::to_string(samples)), 1, 1'000'000,
+                          "the number of samples must be 1 to 1000000");
     if (defaults.square_samples) check_square(o.samples);
-    o.threads = whole_number("--threads", value("--threads", std::to_string(cores())), 1, 1024,
-                             "the number of threads must be 1 to 1024");
-    o.seed    = whole_number("--seed", value("--seed", "1"), std::uint64_t{0}, ~std::uint64_t{0},
-                             "the seed must be a whole number from 0 to 18446744073709551615");
+    o.threads = number_of("--threads", value("--threads", std::to_string(cores())), 1, 1024,
+                          "the number of threads must be 1 to 1024");
+    o.seed    = number_of("--seed", value("--seed", "1"), std::uint64_t{0}, ~std::uint64_t{0},
+                          "the seed must be a whole number from 0 to 18446744073709551615");
     o.formats = formats(value("--format", "svg"));
+    o.error   = number_of("--error", value("--error", fmt::format("{}", error_at(o.quality))), 0.001, 1.0,
+                          "the error must be 0.001 to 1, a share of the mean: 0.05 is 5 %");
     if (given.contains("--scene")) o.scene = scene_file(given.at("--scene"));
     return o;
 }
@@ -203,6 +217,10 @@ bool is_option(const std::string& word) {
         throw std::invalid_argument(
             "--scene: for the program of a chapter that renders a file: "
             "course run 01 --scene FILE");
+    if (name == "--error")
+        throw std::invalid_argument(
+            "--error: for the program of a chapter that renders to an error: "
+            "course run 10 --error 0.05");
     throw std::invalid_argument(fmt::format("{}: unknown {}{}; see --help", name,
                                             is_option(word) ? "option" : "word", did_you_mean(name, names)));
 }

@@ -33,6 +33,7 @@ struct Defaults {
     bool                     square_samples = false;  ///< a pixel's samples form a square: 1, 4, 9, ...
     bool                     takes_seed     = true;   ///< false: its random numbers are always the same
     std::string              scene_section  = {};  ///< that renders --scene FILE: "1.2"; none: no such option
+    std::string error_section = {};  ///< that renders until --error X is reached; none: no such option
 
     // what --help says after "samples per" and after "start of the random numbers of"
     std::string_view sampled_each = "pixel of a render";
@@ -49,6 +50,7 @@ struct Options {
     std::uint64_t                        seed    = 1;
     std::vector<std::string>             formats = {"svg"};       ///< of svg, png, pdf, tex
     std::optional<std::filesystem::path> scene   = std::nullopt;  ///< a file that is there
+    double error = 0.05;  ///< of a render that ends when it is reached, relative to its mean; 0.001 to 1
 };
 
 /// The parsed options, or the exit code of a program that has nothing more to do: 0 after --help, 2 after

@@ -92,6 +92,8 @@ TEST_CASE("what is wrong is told in one line with exit code 2") {
         {{"fast"}, "fast: unknown word; see --help"},
         {{"--scene", "x.obj"},
          "--scene: for the program of a chapter that renders a file: course run 01 --scene FILE"},
+        {{"--error", "0.1"},
+         "--error: for the program of a chapter that renders to an error: course run 10 --error 0.05"},
     };
     for (const auto& c : cases) {
         const Ended ended = told(c.words);
@@ -131,6 +133,28 @@ TEST_CASE("a scene is an option where a section renders one, and must be a file 
     const Ended ended = told({"--scene", folder.c_str()}, renders);
     CHECK(ended.err == "01_rays: error: --scene " + folder + ": is no regular file; must be an OBJ file\n");
     CHECK(ended.code == 2);
+}
+
+TEST_CASE("an error is an option where a section renders to it, and a share that can be reached") {
+    const Defaults renders{.error_section = "10.10"};
+    CHECK(parse({"--error", "0.02"}, renders).options.value().error == 0.02);
+    CHECK(parse({"--error", "1"}, renders).options.value().error == 1);
+    CHECK(parse({"--error", "1e-3"}, renders).options.value().error == 0.001);
+    CHECK(parse({}, renders).options.value().error == 0.05);
+    CHECK(parse({"--quality", "print"}, renders).options.value().error == 0.025);
+    CHECK(told({"--help"}, renders).out.find("section 10.10 is done") != std::string::npos);
+    CHECK(told({"--help"}, renders).out.find("[0.1 draft, 0.05 lecture, 0.025 print]") != std::string::npos);
+    CHECK(told({"--help"}).out.find("--error") == std::string::npos);
+    for (const std::string wrong : {"0", "-0.1", "0.0009", "1.01", "5%", "0,05", "nan", "inf", "1e-400"}) {
+        const Ended ended = told({"--error", wrong.c_str()}, renders);
+        CHECK(ended.err == "01_rays: error: --error " + wrong +
+                               ": the error must be 0.001 to 1, a share of the mean: 0.05 is 5 %\n");
+        CHECK(ended.code == 2);
+    }
+    CHECK(told({"--error"}, renders).err ==
+          "01_rays: error: --error: X must follow: standard error at which the render of section 10.10 is "
+          "done, "
+          "as a share of its mean\n");
 }
 
 TEST_CASE("an option that changes nothing gets one line, which is no error, and its help says so") {
