@@ -27,12 +27,18 @@ Image<float> SampledImage::standard_errors() const {
 }
 
 double SampledImage::relative_error() const {
+    return relative_error(PixelMask(camera_.width, camera_.height, 1));
+}
+
+double SampledImage::relative_error(const PixelMask& mask) const {
     double  sum = 0;
     Running brightness;
-    for (const auto& pixel : pixels_.pixels()) {
-        if (pixel.brightness.count() < 2) return std::numeric_limits<double>::infinity();
-        sum += pixel.brightness.variance() / double(pixel.brightness.count());
-        brightness.add(pixel.brightness.mean());
+    for (std::size_t i = 0; i < mask.pixels().size(); ++i) {
+        if (mask.pixels()[i] == 0) continue;
+        const Running& pixel = pixels_.pixels()[i].brightness;
+        if (pixel.count() < 2) return std::numeric_limits<double>::infinity();
+        sum += pixel.variance() / double(pixel.count());
+        brightness.add(pixel.mean());
     }
     return std::sqrt(sum / double(brightness.count())) / brightness.mean();
 }

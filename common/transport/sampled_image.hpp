@@ -17,6 +17,7 @@
 #include "sampling/sample_point.hpp"
 #include "scene/camera.hpp"
 #include "statistics/running.hpp"
+#include "transport/image_error.hpp"
 #include "transport/pixel_filter.hpp"
 #include "transport/render.hpp"
 #include "transport/tiles.hpp"
@@ -60,7 +61,10 @@ public:
     /// Root mean square of the pixels' standard errors over the mean of all pixels [1]; infinite before the second
     /// pass.
     [[nodiscard]] double          relative_error() const;
+    /// Of the pixels that count: NaN if none does, or they are black.
+    [[nodiscard]] double          relative_error(const PixelMask& mask) const;
     [[nodiscard]] std::uint64_t   samples() const;  ///< of all pixels
+    [[nodiscard]] std::uint64_t   passes(int x, int y) const { return pixels_(x, y).brightness.count(); }
 
 private:
     struct Pixel {
@@ -75,6 +79,7 @@ private:
         DoubleSpectrum sum;
         for (std::uint32_t i = 0; i < options_.samples; ++i) {
             P              point(SampleId{hash(options_.seed, pass), x, y, i, options_.samples});
+            // more of them lie where the pixel sees more
             const Vec2     at = Vec2{x, y} + sample_filter(options_.filter, point.template pair<float>());
             const Spectrum L  = radiance(camera_.ray(at), point);
             if (!each_in(L, 0, std::numeric_limits<float>::max()))

@@ -5,6 +5,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -66,6 +67,23 @@ TEST_CASE("sampled images: an error is not known before the second pass") {
     CHECK(std::isnan(image.standard_errors()(0, 0)));
     image.add_pass<RandomPoint>({}, noise);
     CHECK(std::isfinite(image.relative_error()));
+}
+
+TEST_CASE("sampled images: the error may be that of some pixels only, and of none there is none") {
+    SampledImage image(camera(8), {.samples = 1});
+    for (int pass = 0; pass < 2; ++pass)
+        image.add_pass<RandomPoint>({}, [](const Ray<float>& ray, RandomPoint& point) {
+            const float x = ray.direction.x > 0 ? 1 : 2 * point.number<float>();
+            return Spectrum{x, x, x};
+        });
+    PixelMask left(8, 8, 0), right(8, 8, 0);
+    for (int y = 0; y < 8; ++y)
+        for (int x = 0; x < 4; ++x) left(x, y) = right(x + 4, y) = 1;
+    CHECK(std::min(image.relative_error(left), image.relative_error(right)) == 0);
+    CHECK(std::max(image.relative_error(left), image.relative_error(right)) > image.relative_error());
+    CHECK(image.relative_error() > 0);
+    CHECK(std::isnan(image.relative_error(PixelMask(8, 8, 0))));
+    CHECK(image.passes(0, 0) == 2);
 }
 
 TEST_CASE("sampled images: pixels that are wanted get samples, and threads change nothing") {
