@@ -2,6 +2,7 @@
 /// Chapter 10, Light transport: all light of a scene by random paths, and how to find it sooner.
 
 #include "course/chapter.hpp"
+#include "filter_figures.hpp"
 
 namespace sr {
 namespace {
@@ -44,6 +45,9 @@ void radiosity(course::Chapter& chapter) {
 /// 10.8  Is a pixel a square?
 void filters(course::Chapter& chapter) {
     chapter.section("10.8 What a pixel sees");
+    render_zone_plates(chapter);
+    chart_filter_responses(chapter);
+    claim_filter_responses(chapter);
 }
 
 /// 10.9  What does an error cost?
