@@ -74,7 +74,7 @@ inline void check_own(const std::vector<Polygon>& polygons) {
     const double noise = 0.09;  // patches may be as large as faces are, and go through each other
     std::string  hint;
     try {
-        const auto polygons = polygons_of(view.scene, Sides::both);
+        const auto polygons = polygons_of(view.scene, ShiningSides::both);
         check_own(polygons);
         hint = white_materials(view.scene);
         return OwnScene{solve_patches(cut_to_a_thousand(polygons), view.scene.mesh, options.threads, noise),

@@ -57,7 +57,7 @@ std::optional<Patch> quadrilateral(const Mesh<double>& mesh, std::size_t first) 
 
 }  // namespace
 
-std::vector<Polygon> polygons_of(const Scene& scene, Sides sides) {
+std::vector<Polygon> polygons_of(const Scene& scene, ShiningSides sides) {
     check_scene(scene);
     check_only_faces(scene);
     const auto&          mesh = scene.mesh;
@@ -67,7 +67,8 @@ std::vector<Polygon> polygons_of(const Scene& scene, Sides sides) {
         const DoubleSpectrum reflectance = diffuse_reflectance(of);
         const DoubleSpectrum emission    = std::numbers::pi * convert<double>(of.emission);
         polygons.push_back({shape, reflectance, emission, material});
-        if (sides == Sides::both) polygons.push_back({shape.reversed(), reflectance, emission, material});
+        if (sides == ShiningSides::both)
+            polygons.push_back({shape.reversed(), reflectance, emission, material});
     };
     for (std::size_t face = 0; face < mesh.faces.size(); ++face) {
         const std::uint32_t    material = scene.material_of_face[face];

@@ -19,7 +19,7 @@ namespace {
 using std::numbers::pi;
 
 /// A square in the plane z = 0 that faces +z, and perhaps what lies behind it.
-Patches sheet(Sides sides = Sides::front, double size = 1) {
+Patches sheet(ShiningSides sides = ShiningSides::front, double size = 1) {
     const Scene scene{.mesh      = {{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}},
                       .materials = {diffuse_material("paint", {0.5F, 0.5F, 0.5F})},
                       .material_of_face = {0, 0}};
@@ -50,7 +50,7 @@ TEST_CASE("a patch is seen with radiance B / pi, from its front only") {
 }
 
 TEST_CASE("of two sheets back to back each is seen from its side") {
-    const Patches     patches = sheet(Sides::both, 0.3);
+    const Patches     patches = sheet(ShiningSides::both, 0.3);
     const PatchView   view(patches);
     Radiosities       B;
     const std::size_t half = patches.size() / 2;
@@ -80,7 +80,7 @@ TEST_CASE("what a radiosity refers to can't be a temporary") {
 }
 
 TEST_CASE("interpolated, a slope is seen as a slope, the same for any number of threads") {
-    const Patches   patches = sheet(Sides::front, 0.25);
+    const Patches   patches = sheet(ShiningSides::front, 0.25);
     const PatchView view(patches);
     Radiosities     B;
     for (const auto& shape : patches.shapes) B.push_back({shape.centre().x, shape.centre().y, 1});

@@ -189,7 +189,7 @@ TEST_CASE(
             };
             Scene scene         = square();
             scene.mesh.vertices = {at(0, 0), at(1, 0), at(1, 1), at(0, 1)};
-            const auto    both  = polygons_of(scene, Sides::both);
+            const auto    both  = polygons_of(scene, ShiningSides::both);
             const Patches whole = cut(both, 2), cut_small = cut(both, 0.3);
             for (const auto& shape : whole.shapes)  // to a wall over its end, where it is quartered
                 CHECK(std::isfinite(exchange_area(shape, wall_over(sliver))));
@@ -233,7 +233,7 @@ TEST_CASE("two triangles are one quadrilateral if they are flat; else they stay 
     REQUIRE(with_a_gap.size() == 2);
     CHECK(with_a_gap[1].shape.area() == near(0.25, 1e-15));
 
-    const auto both = polygons_of(square(), Sides::both);
+    const auto both = polygons_of(square(), ShiningSides::both);
     REQUIRE(both.size() == 2);
     CHECK(both[1].shape.normal() == Point{0, 0, -1});
 }
