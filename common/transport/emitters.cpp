@@ -48,6 +48,12 @@ std::optional<float> sine_of_cone(const Sphere<float>& sphere, const Vec3& from)
     return sphere.radius / distance;
 }
 
+/// Whether a point lies in a triangle's plane, as far as rounding can tell. Nothing arrives from there, and the solid
+/// angle that it has is 0 or, from within the triangle, anything.
+bool is_in_plane(const SurfacePoint<float>& point, const Triangle<float>& triangle, const Vec3& normal) {
+    return !(std::abs(dot(point.position - triangle.a, normal)) > point.error);
+}
+
 /// Where a ray that was drawn towards a ball meets it; at its edge, where it comes nearest.
 float distance_to(const Sphere<float>& sphere, const Ray<float>& ray) {
     const auto t = intersect(sphere, ray);
@@ -120,6 +126,7 @@ std::optional<LightSample> Emitters::drawn(const PointLight& light, const Surfac
 std::optional<LightSample> Emitters::drawn(const Face& face, const SurfacePoint<float>& from, Vec2 u) const {
     const auto& [a, b, c] = face.triangle;
     const Vec3& o         = from.position;
+    if (is_in_plane(from, face.triangle, face.normal)) return std::nullopt;
     if (!face.shines_behind && dot(o - a, face.normal) <= 0) return std::nullopt;
     const Vec2 weights =
         by_area(face, o) ? sample_triangle(u) : SphericalTriangle<float>(a - o, b - o, c - o).sample(u);
@@ -173,8 +180,10 @@ Pdf<measure::SolidAngle> Emitters::pdf(const SurfacePoint<float>& from, const Ve
     const std::int32_t i = of_surface_[hit.surface];
     if (i < 0) return {};
     const double chance = choice_->probability(std::size_t(i));
-    if (const auto* face = std::get_if<Face>(&emitters_[std::size_t(i)]))
+    if (const auto* face = std::get_if<Face>(&emitters_[std::size_t(i)])) {
+        if (is_in_plane(from, face->triangle, face->normal)) return {};
         return {chance * density(*face, from.position, direction, hit.point.position).value};
+    }
     const auto s = sine_of_cone(std::get<Globe>(emitters_[std::size_t(i)]).sphere, from.position);
     return {chance * (s ? 1 / (2 * pi * cone_height(double(*s))) : 1 / (4 * pi))};
 }
