@@ -2,6 +2,8 @@
 /// Chapter 10, Light transport: all light of a scene by random paths, and how to find it sooner.
 
 #include "course/chapter.hpp"
+#include "error_race.hpp"
+#include "error_race_claims.hpp"
 #include "filter_figures.hpp"
 
 namespace sr {
@@ -51,8 +53,9 @@ void filters(course::Chapter& chapter) {
 }
 
 /// 10.9  What does an error cost?
-void efficiency(course::Chapter& chapter) {
+void efficiency(course::Chapter& chapter, const ErrorRace& race) {
     chapter.section("10.9 Error against time");
+    race_strategies(chapter, race);
 }
 
 /// 10.10  When is a picture done?
@@ -76,7 +79,8 @@ int main(int argc, char** argv) {
                            exactness(chapter);
                            radiosity(chapter);
                            filters(chapter);
-                           efficiency(chapter);
+                           const ErrorRace race(1024, {.threads = chapter.options().threads});
+                           efficiency(chapter, race);
                            own_error(chapter);
                        });
 }
