@@ -5,6 +5,7 @@
 #include "error_race.hpp"
 #include "error_race_claims.hpp"
 #include "filter_figures.hpp"
+#include "random_path_figures.hpp"
 
 namespace sr {
 namespace {
@@ -12,6 +13,10 @@ namespace {
 /// 10.1  What does a pixel see, after all bounces?
 void random_paths(course::Chapter& chapter) {
     chapter.section("10.1 Light by random paths");
+    render_random_paths(chapter);
+    chart_random_paths(chapter);
+    claim_black_pixels(chapter);
+    claim_missing_light(chapter);
 }
 
 /// 10.2  Why wait until a path meets the lamp?
