@@ -1,10 +1,13 @@
 /// @file main.cpp
 /// Chapter 10, Light transport: all light of a scene by random paths, and how to find it sooner.
 
+#include "asked_and_met.hpp"
+#include "counted_twice.hpp"
 #include "course/chapter.hpp"
 #include "error_race.hpp"
 #include "error_race_claims.hpp"
 #include "filter_figures.hpp"
+#include "light_sampling_claims.hpp"
 #include "random_path_figures.hpp"
 
 namespace sr {
@@ -22,6 +25,12 @@ void random_paths(course::Chapter& chapter) {
 /// 10.2  Why wait until a path meets the lamp?
 void lamps(course::Chapter& chapter) {
     chapter.section("10.2 Ask the lamp");
+    claim_counted_twice(chapter);
+    render_asked_and_met(chapter);
+    claim_asked_and_met(chapter);
+    chart_near_lamp(chapter);
+    claim_ball_lamp(chapter);
+    claim_two_balls(chapter);
 }
 
 /// 10.3  Which of two ways is right? Both are.
