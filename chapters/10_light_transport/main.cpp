@@ -8,7 +8,9 @@
 #include "error_race_claims.hpp"
 #include "filter_figures.hpp"
 #include "light_sampling_claims.hpp"
+#include "plate_figures.hpp"
 #include "random_path_figures.hpp"
+#include "two_ways_to_squares.hpp"
 
 namespace sr {
 namespace {
@@ -36,6 +38,13 @@ void lamps(course::Chapter& chapter) {
 /// 10.3  Which of two ways is right? Both are.
 void both(course::Chapter& chapter) {
     chapter.section("10.3 Two ways to find light, and their weights");
+    claim_two_ways_to_squares(chapter);
+    render_plates(chapter);
+    const PlateErrors errors(chapter.options().threads);
+    draw_plate_errors(chapter, errors);
+    claim_plate_errors(chapter, errors);
+    render_light_split(chapter);
+    claim_light_split(chapter, errors);
 }
 
 /// 10.4  When may a path end?

@@ -14,4 +14,5 @@ TEST_CASE("chapter 10: claims and text agree, figures have their data, renders d
     for (const auto& row : runs.check_chart("random_path_errors", {"series"}, 2 * 3).rows)
         CHECK(row[2].number() > 0);
     runs.check_chart("near_lamp", {"series"}, 2 * 31 + 9 + 13);
+    runs.check_chart("plate_errors", {"shape"}, 3 * 4 * 4 * 5);
 }
