@@ -22,7 +22,7 @@ using Values = std::map<std::string, std::string>;
 
 /// The error of a render that ends by it, where the person names none.
 double error_at(Quality quality) {
-    return quality == Quality::draft ? 0.1 : quality == Quality::lecture ? 0.05 : 0.025;
+    return quality == Quality::draft ? 0.4 : quality == Quality::lecture ? 0.2 : 0.1;
 }
 
 int cores() {

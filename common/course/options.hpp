@@ -50,7 +50,7 @@ struct Options {
     std::uint64_t                        seed    = 1;
     std::vector<std::string>             formats = {"svg"};       ///< of svg, png, pdf, tex
     std::optional<std::filesystem::path> scene   = std::nullopt;  ///< a file that is there
-    double error = 0.05;  ///< of a render that ends when it is reached, relative to its mean; 0.001 to 1
+    double error = 0.2;  ///< of a render that ends when it is reached, relative to its mean; 0.001 to 1
 };
 
 /// The parsed options, or the exit code of a program that has nothing more to do: 0 after --help, 2 after

@@ -140,10 +140,10 @@ TEST_CASE("an error is an option where a section renders to it, and a share that
     CHECK(parse({"--error", "0.02"}, renders).options.value().error == 0.02);
     CHECK(parse({"--error", "1"}, renders).options.value().error == 1);
     CHECK(parse({"--error", "1e-3"}, renders).options.value().error == 0.001);
-    CHECK(parse({}, renders).options.value().error == 0.05);
-    CHECK(parse({"--quality", "print"}, renders).options.value().error == 0.025);
+    CHECK(parse({}, renders).options.value().error == 0.2);
+    CHECK(parse({"--quality", "print"}, renders).options.value().error == 0.1);
     CHECK(told({"--help"}, renders).out.find("section 10.10 is done") != std::string::npos);
-    CHECK(told({"--help"}, renders).out.find("[0.1 draft, 0.05 lecture, 0.025 print]") != std::string::npos);
+    CHECK(told({"--help"}, renders).out.find("[0.4 draft, 0.2 lecture, 0.1 print]") != std::string::npos);
     CHECK(told({"--help"}).out.find("--error") == std::string::npos);
     for (const std::string wrong : {"0", "-0.1", "0.0009", "1.01", "5%", "0,05", "nan", "inf", "1e-400"}) {
         const Ended ended = told({"--error", wrong.c_str()}, renders);
