@@ -29,8 +29,8 @@ namespace sr {
     return laps;
 }
 
-/// Seconds of one sample of each pixel, on one thread, for each racer in turn. A lap is short, so that some run undisturbed even where
-/// the machine does much else.
+/// Seconds of one sample of each pixel, on one thread, for each racer in turn. A lap is short, so that some run
+/// undisturbed even where the machine does much else.
 [[nodiscard]] inline std::vector<course::Timing> time_racers(const ErrorRace& race, int repeats) {
     constexpr std::uint32_t   samples = 4;
     double                    sum = 0;  // looked at below: work whose result nobody needs is optimised away

@@ -1,15 +1,20 @@
 /// @file main.cpp
 /// Chapter 10, Light transport: all light of a scene by random paths, and how to find it sooner.
 
+#include <optional>
+
 #include "asked_and_met.hpp"
 #include "counted_twice.hpp"
 #include "course/chapter.hpp"
+#include "course/interruptible.hpp"
 #include "error_race.hpp"
 #include "error_race_claims.hpp"
 #include "filter_figures.hpp"
 #include "light_sampling_claims.hpp"
+#include "own_error_charts.hpp"
 #include "plate_figures.hpp"
 #include "random_path_figures.hpp"
+#include "render_to_error.hpp"
 #include "two_ways_to_squares.hpp"
 
 namespace sr {
@@ -82,8 +87,14 @@ void efficiency(course::Chapter& chapter, const ErrorRace& race) {
 }
 
 /// 10.10  When is a picture done?
-void own_error(course::Chapter& chapter) {
-    chapter.section("10.10 A picture that knows its error");
+void own_error(course::Chapter& chapter, const std::optional<SceneView>& own, const ErrorRace& race) {
+    {
+        const course::Interruptible interrupt;  // what is rendered here may take long
+        chapter.section("10.10 A picture that knows its error");
+        render_to_error(chapter, own, interrupt);
+    }
+    claim_stated_errors(chapter, race);
+    claim_requested_errors(chapter, race);
 }
 
 }  // namespace
@@ -91,19 +102,23 @@ void own_error(course::Chapter& chapter) {
 
 int main(int argc, char** argv) {
     using namespace sr;
-    const course::Defaults defaults{.size = {.draft = 64, .lecture = 256, .print = 512}, .takes_seed = false};
-    return course::run(argc, argv, "10_light_transport", "Light transport", defaults,
-                       [](course::Chapter& chapter) {
-                           random_paths(chapter);
-                           lamps(chapter);
-                           both(chapter);
-                           roulette(chapter);
-                           ways(chapter);
-                           exactness(chapter);
-                           radiosity(chapter);
-                           filters(chapter);
-                           const ErrorRace race(1024, {.threads = chapter.options().threads});
-                           efficiency(chapter, race);
-                           own_error(chapter);
-                       });
+    const course::Defaults defaults{.size          = {.draft = 64, .lecture = 256, .print = 512},
+                                    .takes_seed    = false,
+                                    .scene_section = "10.10",
+                                    .error_section = "10.10"};
+    return course::run(
+        argc, argv, "10_light_transport", "Light transport", defaults, [](course::Chapter& chapter) {
+            const auto own = scene_with_lamps(chapter);  // first: what is wrong with it is told
+            random_paths(chapter);
+            lamps(chapter);
+            both(chapter);
+            roulette(chapter);
+            ways(chapter);
+            exactness(chapter);
+            radiosity(chapter);
+            filters(chapter);
+            const ErrorRace race(1024, {.threads = chapter.options().threads});
+            efficiency(chapter, race);
+            own_error(chapter, own, race);
+        });
 }

@@ -15,8 +15,8 @@
 
 namespace sr {
 
-/// Rings about the lower left corner of a picture, (1 + cos(pi r^2 f / N)) / 2: at the distance r there are r f / N waves
-/// in a pixel, so that f of them are in those of the other corners' columns and rows.
+/// Rings about the lower left corner of a picture, (1 + cos(pi r^2 f / N)) / 2: at the distance r there are r f / N
+/// waves in a pixel, and so f of them at the other end of each edge from there.
 struct ZonePlate {
     int size;  ///< N, of the square picture [pixel]
 

@@ -2,7 +2,8 @@
 /// @file to_error.hpp
 /// A picture that is rendered until its error is what was asked for.
 ///
-///     const SampledImage image = traced_to_error<SobolPoint>(camera, mask, {.error = 0.05}, pass, loop, radiance, watch);
+///     const SampledImage image =
+///         traced_to_error<SobolPoint>(camera, mask, {.error = 0.05}, pass, loop, radiance, goes_on);
 
 #include <algorithm>
 #include <cmath>
