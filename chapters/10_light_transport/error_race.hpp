@@ -50,8 +50,9 @@ public:
     static constexpr int side = 32;  ///< [pixel]
 
     /// @param samples  of each pixel of the picture that the others are held against; it takes paths of its own
+    /// @param loop     of that picture; the others are rendered with as many threads
     ErrorRace(std::uint32_t samples, const TileLoop& loop)
-        : loop_{loop},
+        : loop_{.threads = loop.threads},
           scene_{cornell_box()},
           camera_{cornell_box_camera(side)},
           mask_{without_emitters(scene_, camera_)},

@@ -85,22 +85,32 @@ inline void claim_rays_of_paths(course::Chapter& chapter, const ErrorRace& race)
     chapter.say(table);
 }
 
-/// All of section 10.9: claims by few samples at any quality, charts by more where there is time.
-inline void race_strategies(course::Chapter& chapter, const ErrorRace& race) {
-    const bool       draft = chapter.options().quality == course::Quality::draft;
-    const auto       count = int(racers.size());
-    course::Progress progress("racing strategies", 2 * count + 2 + (draft ? 0 : 5 * count));
+/// What is claimed.
+[[nodiscard]] inline std::vector<RaceLap> laps_of_few_samples(const ErrorRace& race) {
+    course::Progress progress("racing strategies", 2 * int(racers.size()) + 2);
     auto             laps = run_laps(race, racers, {4, 16}, progress);
     for (const auto& lap : run_laps(race, {racers[4], racers.back()}, {64}, progress)) laps.push_back(lap);
+    return laps;
+}
+
+/// What is charted where there is time.
+[[nodiscard]] inline std::vector<RaceLap> laps_of_many_samples(int threads) {
+    constexpr int    tiles = 8;  // of the reference, each worth a lap
+    course::Progress progress("racing strategies on", 5 * int(racers.size()) + tiles);
+    const ErrorRace  race(8192, {threads, [&](int, int) { progress.tick(); }});
+    return run_laps(race, racers, {1, 4, 16, 64, 256}, progress);
+}
+
+/// All of section 10.9: claims by few samples at any quality, charts by more where there is time.
+inline void race_strategies(course::Chapter& chapter, const ErrorRace& race) {
+    const bool draft = chapter.options().quality == course::Quality::draft;
+    auto       laps  = laps_of_few_samples(race);
     claim_errors(chapter, laps);
     claim_slopes(chapter, laps);
     claim_rays_of_paths(chapter, race);
     chapter.claim_at_most("10.9 error of the reference over the smallest error",
                           race.error_of_reference() / lap_of(laps, "power", 64).error.value, 0.2);
-    if (!draft) {
-        const ErrorRace longer(8192, {.threads = chapter.options().threads});
-        laps = run_laps(longer, racers, {1, 4, 16, 64, 256}, progress);
-    }
+    if (!draft) laps = laps_of_many_samples(chapter.options().threads);
     const auto timings = time_racers(race, draft ? 5 : 101);
     chart_strategies(chapter, laps, timings);
     chart_efficiency(chapter, laps, timings);

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <memory>
 #include <numbers>
 #include <string>
 #include <tuple>
@@ -78,6 +79,7 @@ inline void claim_requested_errors(course::Chapter& chapter, const ErrorRace& ra
     const TileLoop loop{.threads = chapter.options().threads};
     course::Rows   table{
         {"asked", "way", "reached / asked", "standard error", "light", "standard error", "samples"}};
+    auto progress = std::make_unique<course::Progress>("asking for errors", 5);
     for (const auto& printed :
          {PrintedRequest{0.1, "all alike", Stopping::all_alike, 4, 0.97, 1, 72, 0.08, 0.01, 8},
           {0.1, "by a pilot", Stopping::by_a_pilot, 4, 0.99, 1, 76, 0.08, 0.01, 8},
@@ -86,6 +88,7 @@ inline void claim_requested_errors(course::Chapter& chapter, const ErrorRace& ra
           {0.05, "by a pilot", Stopping::by_a_pilot, 2, 0.97, 1, 252, 0.08, 0.01, 30}}) {
         const auto   all = RequestedError(race, printed.asked, loop).run(printed.stopping, printed.pictures);
         const double reached = std::sqrt(all.squared_errors.mean());
+        progress->tick();
         table.add({printed.asked, printed.way, reached, all.squared_errors.standard_error() / (2 * reached),
                    all.light.mean(), all.light.standard_error(), all.samples.mean()});
         const auto which = fmt::format("{}, {}: ", printed.asked, printed.way);
@@ -95,6 +98,7 @@ inline void claim_requested_errors(course::Chapter& chapter, const ErrorRace& ra
               all.light.mean(), printed.light_to);
         claim(which + "samples", printed.samples, all.samples.mean(), printed.samples_to);
     }
+    progress.reset();  // its line ends before the table
     chapter.say(table);
 }
 

@@ -106,9 +106,9 @@ inline void render_with_error(course::Chapter& chapter, const SampledImage& imag
     if (!std::isfinite(error)) return;
     chapter.render(
         "its_error", "Its standard error",
-        "Over its mean: from a tenth of the error asked for to ten times it, equal ratios in equal "
+        "Over its mean: from a tenth of the picture's error to ten times it, equal ratios in equal "
         "steps; notches at half of it, at it, and at twice.",
-        map_of_ratios(relative_errors(image, mask), asked));
+        map_of_ratios(relative_errors(image, mask), error));
     chapter.render("its_samples", "Its samples",
                    "From a tenth of the mean to ten times it; notches at half of it, at it, and at twice.",
                    map_of_ratios(relative_samples(image, mask.width(), mask.height()), 1));
