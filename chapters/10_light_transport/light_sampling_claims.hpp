@@ -8,10 +8,9 @@
 #include <tuple>
 
 #include "claims.hpp"
+#include "floor_under_ball.hpp"
 #include "math/degrees.hpp"
-#include "sampling/random_point.hpp"
 #include "square_overhead.hpp"
-#include "transport/path_tracer.hpp"
 
 namespace sr {
 
@@ -58,37 +57,11 @@ inline void chart_near_lamp(course::Chapter& chapter) {
     const auto           solid = one.deviation_seen(TriangleSampling::solid_angle, 25);
     claim("a square at 1: deviation by area, measured", 0.505, area.value, 4 * area.error);
     claim("a square at 1: deviation by solid angle, measured", 0.120, solid.value, 4 * solid.error);
+    const auto near = SquareOverhead(0.1).deviation_seen(TriangleSampling::by_distance, 26);
+    const auto far  = SquareOverhead(10).deviation_seen(TriangleSampling::by_distance, 27);
+    claim("a square at 0.1: deviation by distance, measured", 0.483, near.value, 4 * near.error);
+    claim("a square at 10: deviation by distance, measured", 0.00835, far.value, 4 * far.error);
 }
-
-/// A white floor under a lamp that is a ball, by the half-angle at which it is seen straight above.
-class FloorUnderBall {
-public:
-    explicit FloorUnderBall(double half_angle) {
-        scene_.materials = {grey(1), grey(0, 1)};
-        add_quad(scene_, {{{-50, -50, 0}, {50, -50, 0}, {50, 50, 0}, {-50, 50, 0}}}, 0);
-        scene_.balls = {{{{0, 0, 2}, 2 * std::sin(half_angle)}, 1}};
-    }
-
-    /// The irradiance's variance of one path, pi^2 times that of the floor's radiance, and its standard error: 2^16
-    /// paths in 16 blocks.
-    [[nodiscard]] Estimate variance(Strategy strategy, std::uint64_t seed) const {
-        const PathTracer tracer(scene_, {.strategy = strategy, .bounces = 1});
-        PathCount        count;
-        Running          variances;
-        for (int block = 0; block < 16; ++block) {
-            Running L;
-            for (std::uint32_t i = 0; i < 4096; ++i) {
-                RandomPoint point(SampleId{.seed = seed, .x = block, .index = i});
-                L.add(double(tracer.radiance({{0.5F, 0, 0.5F}, {-1, 0, -1}}, point, count).g));
-            }
-            variances.add(square(std::numbers::pi) * L.variance());
-        }
-        return {variances.mean(), variances.standard_error()};
-    }
-
-private:
-    Scene scene_;
-};
 
 /// The table of 9.2 again, by three strategies of the path tracer (row H4). Tolerances are four standard errors.
 inline void claim_ball_lamp(course::Chapter& chapter) {
