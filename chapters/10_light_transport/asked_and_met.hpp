@@ -31,13 +31,19 @@ namespace sr {
 inline constexpr std::uint32_t waiting_paths = 32, asking_paths = 20;
 
 inline void render_asked_and_met(course::Chapter& chapter) {
-    const int  side = std::max(chapter.options().size * 5 / 8, 16);
-    const auto loop = TileLoop{.threads = chapter.options().threads};
+    const int        side = std::max(chapter.options().size * 5 / 8, 16);
+    course::Progress progress("waiting for the lamp, and asking it", int(waiting_paths + asking_paths));
+    const auto       box_by = [&](Strategy strategy, std::uint32_t paths) {
+        return box_by_paths(strategy, paths, side,
+                                  {.threads = chapter.options().threads, .on_tile = [&](int done, int of) {
+                                 progress.tick(course::steps_of_part(int(paths), done, of));
+                             }});
+    };
+    const auto waiting = box_by(Strategy::bsdf, waiting_paths),
+               asking  = box_by(Strategy::light, asking_paths);
     chapter.render("asked_and_met", "The Cornell box with as many rays, by chance and by asking the lamp",
                    "Left: 32 paths that wait for the lamp. Right: 20 that ask it at each surface.",
-                   grid_of({box_by_paths(Strategy::bsdf, waiting_paths, side, loop),
-                            box_by_paths(Strategy::light, asking_paths, side, loop)},
-                           2));
+                   grid_of({waiting, asking}, 2));
 }
 
 /// What the text says of them; tolerances are four standard errors.

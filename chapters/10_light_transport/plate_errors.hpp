@@ -2,11 +2,13 @@
 /// @file plate_errors.hpp
 /// Section 10.3: how noisy each lamp is in each plate, by three strategies.
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 
+#include "course/progress.hpp"
 #include "math/square.hpp"
 #include "plates_and_lamps.hpp"
 #include "sampling/random_point.hpp"
@@ -44,7 +46,8 @@ inline void add_block(PlateCells& cells, std::size_t lamp, const std::array<Pixe
 }
 
 /// All plates and lamps, by one strategy.
-[[nodiscard]] inline PlateCells plate_cells(Strategy strategy, int threads) {
+/// @param progress  gets a tick for each lamp
+[[nodiscard]] inline PlateCells plate_cells(Strategy strategy, int threads, course::Progress& progress) {
     const auto               camera = plates_camera(plates_side);
     std::array<PixelMask, 4> masks{
         pixels_of_plate(plates_and_lamps(), camera, 0), pixels_of_plate(plates_and_lamps(), camera, 1),
@@ -65,6 +68,7 @@ inline void add_block(PlateCells& cells, std::size_t lamp, const std::array<Pixe
                 block.add_pass<RandomPoint>({.threads = threads}, radiance, is_plate);
             add_block(cells, lamp, masks, block);
         }
+        progress.tick();
     }
     return cells;
 }

@@ -20,8 +20,11 @@
 namespace sr {
 
 inline void render_plates(course::Chapter& chapter) {
-    const int      side = std::max(chapter.options().size, 32);
-    const TileLoop loop{.threads = chapter.options().threads};
+    const int        side = std::max(chapter.options().size, 32);
+    course::Progress progress("looking at plates", 3 * 1000);
+    const TileLoop   loop{.threads = chapter.options().threads, .on_tile = [&](int done, int of) {
+                            progress.tick(course::steps_of_part(1000, done, of));
+                        }};
     for (const auto& [name, title, strategy] :
          {std::tuple{"plates_bsdf", "Four plates, four lamps: by chance", Strategy::bsdf},
           {"plates_light", "By asking the lamps", Strategy::light},
@@ -54,9 +57,11 @@ struct PlateErrors {
     std::array<std::array<std::array<Estimate, 4>, 4>, 3> of;  ///< [BSDF, light, power][plate][lamp]
     PlateCells                                            power;
 
-    explicit PlateErrors(int threads) : power{plate_cells(Strategy::power, threads)} {
-        const std::array cells{plate_cells(Strategy::bsdf, threads), plate_cells(Strategy::light, threads),
-                               power};
+    explicit PlateErrors(int threads) {
+        course::Progress progress("measuring lamps in plates", 3 * 4);
+        const auto cells_by = [&](Strategy strategy) { return plate_cells(strategy, threads, progress); };
+        power               = cells_by(Strategy::power);
+        const std::array cells{cells_by(Strategy::bsdf), cells_by(Strategy::light), power};
         for (std::size_t way = 0; way < 3; ++way)
             for (std::size_t plate = 0; plate < 4; ++plate)
                 for (std::size_t lamp = 0; lamp < 4; ++lamp)
