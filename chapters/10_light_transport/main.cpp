@@ -7,6 +7,7 @@
 #include "counted_twice.hpp"
 #include "course/chapter.hpp"
 #include "course/interruptible.hpp"
+#include "cut_paths.hpp"
 #include "error_race.hpp"
 #include "error_race_claims.hpp"
 #include "filter_figures.hpp"
@@ -15,6 +16,8 @@
 #include "plate_figures.hpp"
 #include "random_path_figures.hpp"
 #include "render_to_error.hpp"
+#include "roulette_charts.hpp"
+#include "squeezed_paths.hpp"
 #include "two_ways_to_squares.hpp"
 
 namespace sr {
@@ -55,6 +58,15 @@ void both(course::Chapter& chapter) {
 /// 10.4  When may a path end?
 void roulette(course::Chapter& chapter) {
     chapter.section("10.4 Russian roulette");
+    claim_roulette(chapter);
+    claim_traced_roulette(chapter);
+    chart_roulette_variance(chapter);
+    chart_roulette_cost(chapter);
+    claim_best_survival(chapter);
+    chart_infinite_variance(chapter);
+    chart_path_ends(chapter);
+    claim_cut_paths(chapter);
+    claim_squeezed(chapter);
 }
 
 /// 10.5  Which paths are there, and who finds which?

@@ -178,6 +178,7 @@ bool PathTracer::scatter(Path& path, const At& at, const LobeSum<float>& scatter
 }
 
 bool PathTracer::survives(Path& path, float u) const {
+    // what is left of the light; who goes on also counts for those who did not
     const float q = std::min(most_likely_, largest(path.throughput) / path.squeezed);
     if (!(u < q)) return false;
     path.throughput = path.throughput / q;

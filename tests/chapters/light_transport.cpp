@@ -15,6 +15,13 @@ TEST_CASE("chapter 10: claims and text agree, figures have their data, renders d
         CHECK(row[2].number() > 0);
     runs.check_chart("near_lamp", {"series"}, 2 * 31 + 9 + 13);
     runs.check_chart("plate_errors", {"shape"}, 3 * 4 * 4 * 5);
+    runs.check_chart("roulette_variance", {"series"}, 2 * 60 + 2 * 10);
+    runs.check_chart("roulette_cost", {"series"}, 4 * 100 + 4 * 6);
+    runs.check_chart("infinite_variance", {"series"}, 5 * 600);
+    for (const auto& row : runs.check_chart("path_ends", speed_accuracy_columns, 7 * 2).rows) {
+        CHECK(row[2].number() > 0);
+        CHECK(row[3].number() > 0);
+    }
     runs.check_chart("responses", {"series"}, 3 * 81 + 3 * 21);
     for (const auto& row : runs.check_chart("strategies", speed_accuracy_columns, 8 * 2 + 2).rows)
         for (const int positive : {2, 3, 4}) CHECK(row[std::size_t(positive)].number() > 0);
