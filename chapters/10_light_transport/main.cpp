@@ -13,6 +13,8 @@
 #include "filter_figures.hpp"
 #include "light_sampling_claims.hpp"
 #include "own_error_charts.hpp"
+#include "partial_sums_chart.hpp"
+#include "parts_figures.hpp"
 #include "plate_figures.hpp"
 #include "random_path_figures.hpp"
 #include "render_to_error.hpp"
@@ -72,6 +74,11 @@ void roulette(course::Chapter& chapter) {
 /// 10.5  Which paths are there, and who finds which?
 void ways(course::Chapter& chapter) {
     chapter.section("10.5 Ways of light");
+    render_parts(chapter);
+    claim_sum_of_parts(chapter);
+    claim_parts(chapter);
+    chart_partial_sums(chapter);
+    claim_partial_sums(chapter);
 }
 
 /// 10.6  Is it right?

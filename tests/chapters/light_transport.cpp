@@ -22,6 +22,7 @@ TEST_CASE("chapter 10: claims and text agree, figures have their data, renders d
         CHECK(row[2].number() > 0);
         CHECK(row[3].number() > 0);
     }
+    runs.check_chart("partial_sums", {"series"}, 3 * 10 + 9 * 10);
     runs.check_chart("responses", {"series"}, 3 * 81 + 3 * 21);
     for (const auto& row : runs.check_chart("strategies", speed_accuracy_columns, 8 * 2 + 2).rows)
         for (const int positive : {2, 3, 4}) CHECK(row[std::size_t(positive)].number() > 0);
