@@ -4,6 +4,11 @@
 #include <optional>
 
 #include "asked_and_met.hpp"
+#include "between_mirrors.hpp"
+#include "box_by_radiosity.hpp"
+#include "box_pictures.hpp"
+#include "box_shadow.hpp"
+#include "box_walls.hpp"
 #include "counted_twice.hpp"
 #include "course/chapter.hpp"
 #include "course/interruptible.hpp"
@@ -11,7 +16,9 @@
 #include "error_race.hpp"
 #include "error_race_claims.hpp"
 #include "filter_figures.hpp"
+#include "known_charts.hpp"
 #include "light_sampling_claims.hpp"
+#include "mistakes_table.hpp"
 #include "own_error_charts.hpp"
 #include "partial_sums_chart.hpp"
 #include "parts_figures.hpp"
@@ -19,8 +26,10 @@
 #include "random_path_figures.hpp"
 #include "render_to_error.hpp"
 #include "roulette_charts.hpp"
+#include "scores_chart.hpp"
 #include "squeezed_paths.hpp"
 #include "two_ways_to_squares.hpp"
+#include "vanishing_room.hpp"
 
 namespace sr {
 namespace {
@@ -84,11 +93,24 @@ void ways(course::Chapter& chapter) {
 /// 10.6  Is it right?
 void exactness(course::Chapter& chapter) {
     chapter.section("10.6 Pictures that are known");
+    claim_known_scenes(chapter);
+    render_vanishing_room(chapter);
+    chart_scores(chapter);
+    chart_shining_balls(chapter);
+    chart_plates_between_mirrors(chapter);
+    chart_profiles(chapter);
+    show_mistakes(chapter);
 }
 
 /// 10.7  Do radiosity and paths agree?
 void radiosity(course::Chapter& chapter) {
     chapter.section("10.7 The box, by two methods");
+    const BoxByRadiosity box;
+    const int            threads = chapter.options().threads;
+    const auto           coarse = box.solution(0.01, threads), fine = box.solution(0.0025, threads);
+    render_box_by_both(chapter, box, fine);
+    compare_walls(chapter, box, coarse, fine);
+    chart_box_shadow(chapter, box, fine);
 }
 
 /// 10.8  Is a pixel a square?
