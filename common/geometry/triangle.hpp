@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 #include <concepts>
+#include <cstddef>
+#include <cstdint>
 #include <glm/gtc/type_ptr.hpp>
 #include <limits>
 #include <optional>
@@ -15,6 +17,7 @@
 #include "geometry/ray.hpp"
 #include "math/difference_of_products.hpp"
 #include "math/interval.hpp"
+#include "math/power_of_two.hpp"
 #include "math/vector.hpp"
 
 namespace sr {
@@ -44,6 +47,25 @@ struct Hit {
     Vector2<T> uv;
 };
 
+/// As many triangles as can be asked at once, coordinate by coordinate: at first none, which is not hit.
+template <std::floating_point T>
+struct TrianglePack {
+    static constexpr std::size_t lanes = 8;
+
+    TrianglePack() { std::fill_n(&corners[0][0][0], 9 * lanes, std::numeric_limits<T>::quiet_NaN()); }
+
+    alignas(32) T corners[3][3][lanes];  ///< of which corner, on which axis, of which triangle
+
+    void set(std::size_t lane, const Triangle<T>& triangle) {
+        const auto& [a, b, c] = triangle;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            corners[0][axis][lane] = glm::value_ptr(a)[axis];
+            corners[1][axis][lane] = glm::value_ptr(b)[axis];
+            corners[2][axis][lane] = glm::value_ptr(c)[axis];
+        }
+    }
+};
+
 /// A ray made ready for many triangles: its direction's largest component becomes the third axis, and the
 /// triangles are seen along the ray, so that the question becomes a plane one: is the origin in a triangle?
 /// @pre no product of three coordinates overflows (10^12 in float): a hit where one does may be lost. A ray or a
@@ -54,16 +76,15 @@ public:
     explicit TriangleRay(const Ray<T>& ray) {
         const Vector3<T> d = glm::abs(ray.direction);
         z_axis_            = d.x > d.y ? (d.x > d.z ? 0 : 2) : (d.y > d.z ? 1 : 2);
-        x_axis_            = (z_axis_ + 1) % 3;
-        y_axis_            = (z_axis_ + 2) % 3;
-        origin_            = {ray.origin[x_axis_], ray.origin[y_axis_], ray.origin[z_axis_]};
+        x_axis_            = z_axis_ == 2 ? 0 : z_axis_ + 1;
+        y_axis_            = x_axis_ == 2 ? 0 : x_axis_ + 1;
+        const T* o         = glm::value_ptr(ray.origin);  // GLM's own operator[] branches on the index
+        const T* direction = glm::value_ptr(ray.direction);
+        origin_            = {o[x_axis_], o[y_axis_], o[z_axis_]};
         // A power of two changes no digit, and keeps the products of a very long direction from overflowing. That
         // of the shortest directions would overflow itself.
-        int exponent = 0;
-        std::frexp(ray.direction[z_axis_], &exponent);
-        scale_ = std::ldexp(T{1}, -std::max(exponent, std::numeric_limits<T>::min_exponent));
-        direction_ =
-            scale_ * Vector3<T>{ray.direction[x_axis_], ray.direction[y_axis_], ray.direction[z_axis_]};
+        scale_     = 1 / std::max(power_of_two_in(direction[z_axis_]), std::numeric_limits<T>::min());
+        direction_ = scale_ * Vector3<T>{direction[x_axis_], direction[y_axis_], direction[z_axis_]};
     }
 
     /// The nearest hit is `Hit::t` in units of the ray's own direction, on either side of the triangle.
@@ -76,43 +97,65 @@ public:
     ///      gives the weights their digits at once, and in any precision.
     [[nodiscard]] std::optional<Hit<T>> intersect(const Triangle<T>& triangle,
                                                   Interval<T>        range = in_front<T>) const {
-        const Seen a = seen(triangle.a);
-        const Seen b = seen(triangle.b);
-        const Seen c = seen(triangle.c);
-        const T    u = difference_of_products(c.x, b.y, c.y, b.x);
-        const T    v = difference_of_products(a.x, c.y, a.y, c.x);
-        const T    w = difference_of_products(b.x, a.y, b.y, a.x);
+        const Weights weights =
+            weigh(seen(glm::value_ptr(triangle.a), 1), seen(glm::value_ptr(triangle.b), 1),
+                  seen(glm::value_ptr(triangle.c), 1));
+        if (!inside(weights) || !range.contains(weights.t)) return std::nullopt;
+        return Hit<T>{weights.t, {weights.v / weights.sum, weights.w / weights.sum}};
+    }
 
-        const bool front = u >= 0 && v >= 0 && w >= 0;
-        const bool back  = u <= 0 && v <= 0 && w <= 0;
-        const T    sum   = u + v + w;
-        if (!(front || back) || sum == 0 || !std::isfinite(sum)) return std::nullopt;
-
-        // The hit's depth is between the vertices' depths: weights of one sign, no cancellation.
-        const T t = (u * a.z + v * b.z + w * c.z) / (sum * direction_.z) * scale_;
-        if (!range.contains(t)) return std::nullopt;
-        return Hit<T>{t, {v / sum, w / sum}};
+    /// Calls take(lane, t) for each triangle of a pack, with infinity where the ray does not meet it in the range.
+    /// Nothing in it branches: what `take` does for eight lanes, a processor can do at once if that does not either.
+    template <class Take>
+    void each_lane(const TrianglePack<T>& pack, Interval<T> range, const Take& take) const {
+        for (std::size_t lane = 0; lane < pack.lanes; ++lane) {
+            const auto    corner = [&](std::size_t k) { return seen(&pack.corners[k][0][lane], pack.lanes); };
+            const Weights weights = weigh(corner(0), corner(1), corner(2));
+            const bool    in      = (weights.t >= range.min) & (weights.t <= range.max);
+            take(lane, inside(weights) & in ? weights.t : std::numeric_limits<T>::infinity());
+        }
     }
 
 private:
     struct Seen {
         T x, y, z;
     };
+    /// How much each corner counts where the ray meets the triangle's plane, times their sum.
+    struct Weights {
+        T u, v, w, sum, t;
+    };
 
     /// A vertex as seen along the ray, which is the z axis.
-    [[nodiscard]] Seen seen(const Vector3<T>& vertex) const {
-        const T* coordinate = glm::value_ptr(vertex);  // GLM's own operator[] branches on the index
-        const T  x          = coordinate[x_axis_] - origin_.x;
-        const T  y          = coordinate[y_axis_] - origin_.y;
-        const T  z          = coordinate[z_axis_] - origin_.z;
+    /// @param coordinate  x, and y and z so many numbers further on
+    [[nodiscard]] Seen seen(const T* coordinate, std::size_t stride) const {
+        const T x = coordinate[x_axis_ * stride] - origin_.x;
+        const T y = coordinate[y_axis_ * stride] - origin_.y;
+        const T z = coordinate[z_axis_ * stride] - origin_.z;
         return {difference_of_products(x, direction_.z, z, direction_.x),
                 difference_of_products(y, direction_.z, z, direction_.y), z};
     }
 
-    int        x_axis_, y_axis_, z_axis_;
-    Vector3<T> origin_;
-    Vector3<T> direction_;
-    T          scale_;
+    [[nodiscard]] Weights weigh(const Seen& a, const Seen& b, const Seen& c) const {
+        const T u   = difference_of_products(c.x, b.y, c.y, b.x);
+        const T v   = difference_of_products(a.x, c.y, a.y, c.x);
+        const T w   = difference_of_products(b.x, a.y, b.y, a.x);
+        const T sum = u + v + w;
+        // The hit's depth is between the vertices' depths: weights of one sign, no cancellation.
+        return {u, v, w, sum, (u * a.z + v * b.z + w * c.z) / (sum * direction_.z) * scale_};
+    }
+
+    /// Without a branch, so that a processor can answer for eight triangles at once. No sum of a finite triangle's
+    /// weights is infinite but by overflow.
+    [[nodiscard]] static bool inside(const Weights& weights) {
+        const auto [u, v, w, sum, t] = weights;
+        const bool front = (u >= 0) & (v >= 0) & (w >= 0), back = (u <= 0) & (v <= 0) & (w <= 0);
+        return (front | back) & (sum != 0) & (std::abs(sum) <= std::numeric_limits<T>::max());
+    }
+
+    std::size_t x_axis_, y_axis_, z_axis_;
+    Vector3<T>  origin_;
+    Vector3<T>  direction_;
+    T           scale_;
 };
 
 }  // namespace sr

@@ -8,6 +8,7 @@
 #include "math/extremes.hpp"
 #include "math/frame.hpp"
 #include "math/interval.hpp"
+#include "math/power_of_two.hpp"
 
 using namespace sr;
 
@@ -89,4 +90,19 @@ TEST_CASE("a double that is rounded to float has been rounded, whatever the comp
     CHECK(back.x == double(0.1F));
     CHECK(back.y == double(0.2F));
     CHECK(back.z == double(0.3F));
+}
+
+TEST_CASE_TEMPLATE("the largest power of two in a number", T, float, double) {
+    using Limits = std::numeric_limits<T>;
+    for (const T sign : {T(1), T(-1)}) {
+        CHECK(power_of_two_in(sign) == 1);
+        CHECK(power_of_two_in(sign * T(1.999)) == 1);
+        CHECK(power_of_two_in(sign * T(-0.3)) == T(0.25));
+        CHECK(power_of_two_in(sign * 1000) == 512);
+        CHECK(power_of_two_in(sign * Limits::max()) == std::ldexp(T(1), Limits::max_exponent - 1));
+        CHECK(power_of_two_in(sign * Limits::min()) == Limits::min());
+        CHECK(power_of_two_in(sign * Limits::denorm_min()) == 0);
+        CHECK(power_of_two_in(sign * 0) == 0);
+        CHECK(power_of_two_in(sign * Limits::infinity()) == Limits::infinity());
+    }
 }
