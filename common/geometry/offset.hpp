@@ -68,12 +68,17 @@ template <std::floating_point T>
 
 /// The hit of a triangle as the weighted mean of its vertices: no farther from it than they are rounded, whatever
 /// the distance from which it was hit.
+/// @param normal  its front's, if it is known: the same as without
 template <std::floating_point T>
-[[nodiscard]] SurfacePoint<T> surface_point(const Triangle<T>& triangle, const Vector2<T>& uv) {
+[[nodiscard]] SurfacePoint<T> surface_point(const Triangle<T>& triangle, const Vector2<T>& uv,
+                                            const Vector3<T>& normal) {
     const auto& [a, b, c] = triangle;
     const T u = uv.x, v = uv.y, w = 1 - u - v;
-    return {w * a + u * b + v * c, normalize(area_vector(triangle)),
-            rounding_bound(w * size_of(a) + u * size_of(b) + v * size_of(c))};
+    return {w * a + u * b + v * c, normal, rounding_bound(w * size_of(a) + u * size_of(b) + v * size_of(c))};
+}
+template <std::floating_point T>
+[[nodiscard]] SurfacePoint<T> surface_point(const Triangle<T>& triangle, const Vector2<T>& uv) {
+    return surface_point(triangle, uv, normalize(area_vector(triangle)));
 }
 
 /// The point moved off its surface, to the side to which the direction points.

@@ -2,10 +2,13 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <limits>
 
+#include "geometry/offset.hpp"
+#include "geometry/triangle_packs.hpp"
 #include "law.hpp"
 #include "mistaken_hierarchy.hpp"
 #include "sampling/rng.hpp"
@@ -137,6 +140,40 @@ TEST_CASE("triangles that are asked straight need no box, and answer the same") 
     CHECK(!Hierarchy<float>(mesh, {.asked_straight = fewer}).tree().nodes.empty());
 }
 
+TEST_CASE_TEMPLATE("packs of eight triangles find what brute force finds, to a rounding of t", T, float,
+                   double) {
+    for (const auto& mesh : {convert<T>(cornell_box().mesh), convert<T>(teapot(1)), terrible_mesh<T>()}) {
+        const TrianglePacks<T> packs(mesh);
+        const BruteForce<T>    all(mesh);
+        const Box<T>           around = bounds(mesh);
+        int                    hits = 0, other_face = 0, wrong = 0;
+        for (std::uint32_t i = 0; i < 40'000; ++i) {
+            Rng        rng{7, i, 0, 0};
+            const auto ray      = awkward_ray(mesh, around, rng);
+            const auto expected = all.nearest(ray), found = packs.nearest(ray);
+            wrong += packs.occluded(ray) == found.has_value() ? 0 : 1;
+            wrong += expected.has_value() == found.has_value() ? 0 : 1;
+            if (!expected || !found) continue;
+            ++hits;
+            const T size     = std::max({size_of(ray.origin), size_of(around.min), size_of(around.max)});
+            const T rounding = 4 * std::numeric_limits<T>::epsilon() * size / length(ray.direction);
+            wrong += std::abs(found->t - expected->t) <= rounding ? 0 : 1;
+            if (found->face == expected->face)
+                wrong += found->uv == expected->uv ? 0 : 1;
+            else
+                ++other_face;  // of two at the same place
+            // the range's ends belong to it
+            wrong += packs.nearest(ray, {0, found->t}) == found ? 0 : 1;
+            const auto before = packs.nearest(ray, {0, std::nextafter(found->t, T(0))});
+            wrong += before && found->t > 0 && !(before->t < found->t) ? 1 : 0;
+        }
+        CHECK(wrong == 0);
+        CHECK(hits > 8000);
+        CHECK(other_face < hits / 20);  // most where each triangle is there twice
+    }
+    CHECK_FALSE(TrianglePacks<T>(Mesh<T>{}).nearest({{0, 0, 0}, {0, 0, 1}}));
+}
+
 TEST_CASE("these rays find a hierarchy that is wrong only at a tie or by a rounding") {
     for (const auto& mesh : {convert<float>(cornell_box().mesh), terrible_mesh<float>()}) {
         const auto different = [&](Mistake mistake) {
@@ -219,6 +256,7 @@ TEST_CASE("a ray that is not a number hits nothing, and comes to an end") {
                                       {{0, 0, 0}, {0, 0, 0}}}) {
             CHECK(!hierarchy.nearest(ray));
             CHECK(!hierarchy.occluded(ray));
+            CHECK(!TrianglePacks<float>(mesh).nearest(ray));
             CHECK(!BruteForce<float>(mesh).nearest(ray));
         }
     }
