@@ -87,6 +87,7 @@ public:
     /// Draws from one of the lobes, each as often as its share of the light.
     [[nodiscard]] std::optional<BsdfSample<T, Spectrum>> sample(const Vector3<T>& wo, Vector2<T> u,
                                                                 TransportMode mode) const {
+        if (chances_.size() == 1 && chances_[0] > 0) return only_lobe(wo, u, mode);
         const auto one = choose(
             chances_, [](double chance) { return T(chance); }, u.x);
         if (!one) return std::nullopt;
@@ -94,6 +95,15 @@ public:
     }
 
 private:
+    [[nodiscard]] std::optional<BsdfSample<T, Spectrum>> only_lobe(const Vector3<T>& wo, Vector2<T> u,
+                                                                   TransportMode mode) const {
+        const auto& [weight, lobe] = lobes_[0];
+        const auto one = std::visit([&](const auto& lobe_) { return lobe_.sample(wo, u, mode); }, lobe);
+        if (!one) return std::nullopt;
+        return BsdfSample<T, Spectrum>{one->wi, float(one->weight) * weight, one->pdf, one->is_delta,
+                                       one->squeezed};
+    }
+
     /// What one lobe, chosen with probability p, draws. Of lobes that spread light the whole sum's f and pdf count.
     [[nodiscard]] std::optional<BsdfSample<T, Spectrum>> weighted(const WeightedLobe<T>& part, T p,
                                                                   const Vector3<T>& wo, Vector2<T> u,

@@ -68,15 +68,29 @@ public:
         return x < start(near + 1) ? near : near + 1;
     }
 
-    /// The cumulative density, by its inverse. Of bins that begin with the same share, all but the last are empty: it
-    /// is the last share not above u that counts, and `upper_bound` finds the next one.
+    /// A bin, drawn with its probability.
+    struct Bin {
+        std::size_t index;
+        double      probability;
+        double share;  ///< what is left of the number that chose it, uniform in [0, 1] again: 1 by rounding
+    };
+
+    /// Of bins that begin with the same share, all but the last are empty: it is the last share not above u that counts,
+    /// and `upper_bound` finds the next one.
+    /// @pre 0 <= u < 1
+    [[nodiscard]] Bin choose(T u) const {
+        const auto   next = std::upper_bound(below_.begin(), below_.end(), double(u));
+        const auto   bin  = std::size_t(next - below_.begin()) - 1;
+        const double p    = probability(bin);
+        return {bin, p, (double(u) - below_[bin]) / p};
+    }
+
+    /// The cumulative density, by its inverse.
     /// @pre 0 <= u < 1
     [[nodiscard]] T sample(T u) const {
-        const auto   next  = std::upper_bound(below_.begin(), below_.end(), double(u));
-        const auto   bin   = std::size_t(next - below_.begin()) - 1;
-        const double share = (double(u) - below_[bin]) / probability(bin);
-        const T      x     = T((double(bin) + share) / double(size()));
-        return std::clamp(x, start(bin), std::nextafter(start(bin + 1), T{0}));
+        const Bin bin = choose(u);
+        const T   x   = T((double(bin.index) + bin.share) / double(size()));
+        return std::clamp(x, start(bin.index), std::nextafter(start(bin.index + 1), T{0}));
     }
 
     /// The density [1], and 0 outside.

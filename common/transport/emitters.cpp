@@ -101,14 +101,16 @@ void Emitters::add(const Emitter& emitter, double power) {
 
 std::optional<LightSample> Emitters::sample(const SurfacePoint<float>& from, Vec2 u) const {
     if (!choice_) return std::nullopt;
-    const double x     = choice_->sample(double(u.x));
-    const auto   i     = choice_->bin_of(x);
-    const double left  = x * double(choice_->size()) - double(i);  // of u.x, uniform again
-    const float  again = std::clamp(float(left), 0.0F, largest_below_1<float>);
-    auto light = std::visit([&](const auto& one) { return drawn(one, from, {again, u.y}); }, emitters_[i]);
+    const auto  one   = choice_->choose(double(u.x));
+    const float again = std::min(float(one.share), largest_below_1<float>);
+    auto        light = std::visit(
+        [&](const auto& emitter) {
+            return drawn(emitter, from, {again, u.y});
+        },
+        emitters_[one.index]);
     if (!light) return std::nullopt;
-    light->arriving = light->arriving / float(choice_->probability(i));
-    light->pdf.value *= choice_->probability(i);
+    light->arriving = light->arriving / float(one.probability);
+    light->pdf.value *= one.probability;
     return light;
 }
 
@@ -130,7 +132,7 @@ std::optional<LightSample> Emitters::drawn(const Face& face, const SurfacePoint<
     if (!face.shines_behind && dot(o - a, face.normal) <= 0) return std::nullopt;
     const Vec2 weights =
         by_area(face, o) ? sample_triangle(u) : SphericalTriangle<float>(a - o, b - o, c - o).sample(u);
-    const auto point     = surface_point(face.triangle, weights);
+    const auto point     = surface_point(face.triangle, weights, face.normal);
     const Vec3 direction = normalize(point.position - o);
     const auto p         = density(face, o, direction, point.position);
     if (!(p.value > 0 && std::isfinite(p.value))) return std::nullopt;  // seen from its edge
