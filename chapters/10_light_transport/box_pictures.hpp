@@ -118,15 +118,15 @@ struct SeenPoints {
 inline void render_box_by_both(course::Chapter& chapter, const BoxByRadiosity& box,
                                const HierarchicalSolution& solution) {
     const auto& options = chapter.options();
-    const auto  camera  = cornell_box_camera(options.size);
+    const int   side    = 3 * options.size / 4;
+    const auto  camera  = cornell_box_camera(side);
     const auto  paths =
         std::uint32_t(course::ByQuality{.draft = 16, .lecture = 64, .print = 576}.at(options.quality));
     Image<Spectrum> by_paths(1, 1), by_radiosity(1, 1);
     const double    of_paths =
         course::seconds_of([&] { by_paths = paths_through_middles(box, camera, paths, options.threads); });
-    const double of_gathering = course::seconds_of([&] {
-        by_radiosity = box_gathered(box, seen_points(box, camera), options.size, solution, options.threads);
-    });
+    const double of_gathering = course::seconds_of(
+        [&] { by_radiosity = box_gathered(box, seen_points(box, camera), side, solution, options.threads); });
     chapter.render("walls_by_paths", "The Cornell box by paths",
                    fmt::format("{} paths a pixel, shown twice as bright.", paths),
                    shown_twice_as_bright(by_paths));

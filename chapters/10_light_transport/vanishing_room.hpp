@@ -73,7 +73,7 @@ inline void add_mesh(Scene& scene, const Mesh<double>& mesh, double scale, const
 inline void render_vanishing_room(course::Chapter& chapter) {
     using course::Quality;
     const auto& options = chapter.options();
-    const auto  camera  = camera_in_the_room(options.size, options.size);
+    const auto  camera  = camera_in_the_room(3 * options.size / 4, 3 * options.size / 4);
     const auto  samples =
         std::uint32_t(course::ByQuality{.draft = 16, .lecture = 64, .print = 1024}.at(options.quality));
     course::Progress progress("a room, twice", 2000);

@@ -23,6 +23,13 @@ TEST_CASE("chapter 10: claims and text agree, figures have their data, renders d
         CHECK(row[3].number() > 0);
     }
     runs.check_chart("partial_sums", {"series"}, 3 * 10 + 9 * 10);
+    runs.check_chart("scores", {"series"}, 71 + 2 * 14);
+    runs.check_chart("shining_ball", {"series"}, 2 * (25 + 13));
+    runs.check_chart("bleeding", {"series"}, 3 * (5 + 5));
+    runs.check_chart("ball_on_floor", {"series"}, 80 + 16);
+    runs.check_chart("lamp_in_ball", {"series"}, 2 * 61 + 16);
+    runs.check_chart("mistakes", {"shape"}, 12 + 8 * (1 + 6 * 7));
+    runs.check_chart("box_shadow", {"series"}, 3 * 110);
     runs.check_chart("responses", {"series"}, 3 * 81 + 3 * 21);
     for (const auto& row : runs.check_chart("strategies", speed_accuracy_columns, 8 * 2 + 2).rows)
         for (const int positive : {2, 3, 4}) CHECK(row[std::size_t(positive)].number() > 0);
