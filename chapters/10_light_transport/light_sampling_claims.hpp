@@ -14,7 +14,7 @@
 
 namespace sr {
 
-/// Figure 10.12, and what the text says of it.
+/// Figure 10.22, and what the text says of it.
 inline void chart_near_lamp(course::Chapter& chapter) {
     auto chart = chapter.chart("near_lamp", "One direction to a square lamp overhead",
                                course::with_error({.x   = "height of the lamp [half its side]",
