@@ -91,7 +91,7 @@ inline void chart_heavy_tails(course::Chapter& chapter) {
                 0.323, 0.008);
     for (const int clamp : {10, 100}) {
         const std::string name = fmt::format("$1/r^2$, clamped at {}", clamp);
-        (void)add_medians(chart, name, std::uint64_t(1003 + clamp), 128, threads, 3,
+        (void)add_medians(chart, name, 1003 + std::uint64_t(clamp), 128, threads, 3,
                           [=](Rng& rng) { return draw_in_ball(clamp, rng); });
         chart.as_dashed(name);
     }

@@ -65,15 +65,15 @@ inline void chart_overhead_lamp(course::Chapter& chapter) {
         chart.add("cosine", h, Estimate{lamp.deviation_by_cosine()});
         chart.add("solid angle", h, Estimate{lamp.deviation_by_solid_angle()});
     }
-    const int threads = chapter.options().threads;
-    double    worst   = 0;
-    for (int i = -8; i <= 4; ++i) {
+    const int     threads = chapter.options().threads;
+    double        worst   = 0;
+    std::uint64_t stream  = 2000;  // each height has ten of its own
+    for (int i = -8; i <= 4; ++i, stream += 10) {
         const double       h = std::pow(10, i / 4.0);
         const OverheadLamp lamp(h);
-        const auto         stream = std::uint64_t(2080 + 10 * i);
-        const auto         seen   = [&](std::uint64_t of, auto way) {
+        const auto         seen = [&](std::uint64_t of, auto way) {
             return deviation_seen(stream + of, threads, 1,
-                                            [&](Rng& rng) { return (lamp.*way)(draw_pair(rng)); });
+                                          [&](Rng& rng) { return (lamp.*way)(draw_pair(rng)); });
         };
         if (i >= -4) chart.add("measured", h, seen(1, &OverheadLamp::by_area));
         chart.add("measured", h, seen(2, &OverheadLamp::by_cosine));

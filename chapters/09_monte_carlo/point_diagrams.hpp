@@ -52,7 +52,8 @@ private:
 inline void draw_patterns(course::Chapter& chapter, const std::vector<PointSet>& sets) {
     auto diagram = chapter.diagram("patterns", "64 points, six ways");
     for (std::size_t i = 0; i < sets.size(); ++i) {
-        SquarePanel panel(diagram, {1.12 * double(i % 3), -1.24 * double(i / 3)}, sets[i].name);
+        const std::size_t column = i % 3, row = i / 3;
+        SquarePanel       panel(diagram, {1.12 * double(column), -1.24 * double(row)}, sets[i].name);
         for (const auto& p : sets[i].points) panel.point(p);
     }
     diagram.caption(

@@ -64,7 +64,10 @@ template <SamplePoint P>
 /// How many of columns x rows equal boxes have a point.
 [[nodiscard]] inline int boxes_hit(const std::vector<course::Point>& points, int columns, int rows) {
     std::vector<bool> hit(std::size_t(columns * rows));
-    for (const auto& p : points) hit.at(std::size_t(int(p.y * rows) * columns + int(p.x * columns))) = true;
+    for (const auto& p : points) {
+        const auto row = std::size_t(p.y * rows), column = std::size_t(p.x * columns);
+        hit.at(row * std::size_t(columns) + column) = true;
+    }
     int count = 0;
     for (const bool is_hit : hit) count += is_hit ? 1 : 0;
     return count;

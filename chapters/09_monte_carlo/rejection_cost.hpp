@@ -68,7 +68,7 @@ inline void chart_trials(course::Chapter& chapter) {
     for (const int d : {2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12}) {
         const auto seen =
             moments_of(
-                std::uint64_t(9400 + d), [=](Rng& rng) { return falls_into_ball(rng, d) ? 1 : 0; },
+                9400 + std::uint64_t(d), [=](Rng& rng) { return falls_into_ball(rng, d) ? 1 : 0; },
                 chapter.options().threads)
                 .mean;
         chart.add("measured", d, {1 / seen.value, seen.error / square(seen.value)});

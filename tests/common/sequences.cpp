@@ -113,7 +113,7 @@ TEST_CASE("permutation: each of n comes once, for any n, and any goes anywhere")
     for (const std::uint32_t n : {4U, 5U, 16U, 17U, 64U})
         for (const std::uint32_t other : {1U, n / 2}) {
             const auto places_of = [&](const auto& at) {
-                std::vector<std::uint64_t> counts(n * (n - 1));
+                std::vector<std::uint64_t> counts(std::size_t{n} * (n - 1));
                 for (std::uint64_t seed = 0; seed < 100 * counts.size(); ++seed) {
                     const std::uint32_t a = at(0, seed), b = at(other, seed);
                     ++counts.at(a * (n - 1) + (b > a ? b - 1 : b));
@@ -134,8 +134,9 @@ TEST_CASE("halton: digits are mirrored, and b^k numbers in a row share out the u
     CHECK(radical_inverse(10, 1234) == 0.4321);
     for (const std::uint32_t b : {2U, 3U, 5U, 7U})
         for (const std::uint64_t start : {0U, 1U, 1000U}) {
-            std::set<int> intervals;
-            for (std::uint64_t i = start; i < start + b * b * b; ++i)
+            std::set<int>       intervals;
+            const std::uint64_t end = start + std::uint64_t{b} * b * b;
+            for (std::uint64_t i = start; i < end; ++i)
                 intervals.insert(int(radical_inverse(b, i) * b * b * b + 1e-9));
             CHECK(intervals.size() == b * b * b);
         }
@@ -179,8 +180,8 @@ TEST_CASE("sobol: each coordinate shares out its axis, and the first two the squ
         }
     std::vector<Vector2<double>> first, others;
     for (std::uint32_t i = 512; i < 1024; ++i) {
-        first.push_back({sobol(i, 0) * 0x1p-32, sobol(i, 1) * 0x1p-32});
-        others.push_back({sobol(i, 4) * 0x1p-32, sobol(i, 7) * 0x1p-32});
+        first.emplace_back(sobol(i, 0) * 0x1p-32, sobol(i, 1) * 0x1p-32);
+        others.emplace_back(sobol(i, 4) * 0x1p-32, sobol(i, 7) * 0x1p-32);
     }
     CHECK(is_net(first));
     CHECK_FALSE(is_net(others));
