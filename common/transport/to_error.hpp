@@ -35,7 +35,9 @@ struct ErrorGoal {
 /// Passes per pixel on average to go on to, from `passes` of them which brought an error: as many as the law n^-1/2
 /// says, but no more than half of them at a time, because that error is an estimate as well.
 [[nodiscard]] inline double next_passes(double passes, double error, double wanted) {
-    return passes * std::clamp((error / wanted) * (error / wanted), 1.02, 1.5);
+    const double factor = (error / wanted) * (error / wanted);
+    return passes *
+           (factor < 1.5 ? std::max(factor, 1.02) : 1.5);  // also of NaN: a picture that is black so far
 }
 
 /// Renders pass by pass until the error is at most what is asked for. Which pixels get more, the pilot decides;

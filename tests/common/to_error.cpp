@@ -147,6 +147,23 @@ TEST_CASE("to an error: what is interrupted is whole, with as many passes as it 
     CHECK(after(3).mean() != after(5).mean());
 }
 
+TEST_CASE("to an error: a picture that is black at first goes on") {
+    REQUIRE(next_passes(2, std::nan(""), 0.2) == 3);  // or there would be no end
+    int        samples = 0;
+    const auto late    = [&](const Ray<float>&, RandomPoint& point) {
+        const bool  dark = samples >= 4 * 16 && samples < 7 * 16;  // the picture's first three passes
+        const float L    = dark ? 0 : 1 + point.number<float>();
+        ++samples;
+        return Spectrum{L, L, L};
+    };
+    int        passes = 0;
+    const auto image =
+        traced_to_error<RandomPoint>(camera(4), PixelMask(4, 4, 1), {.error = 0.2}, {.samples = 1}, {}, late,
+                                     [&](const SampledImage&) { return ++passes < 1000; });
+    CHECK(passes < 1000);
+    CHECK(image.relative_error() <= 0.2);
+}
+
 TEST_CASE("to an error: threads change nothing, and where no light arrives there is no error to reach") {
     const auto run = [](int threads, const auto& radiance) {
         return traced_to_error<RandomPoint>(camera(33), PixelMask(33, 33, 1), {.error = 0.2}, {.samples = 2},
