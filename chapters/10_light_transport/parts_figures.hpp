@@ -8,30 +8,24 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "claims.hpp"
+#include "box_of_balls.hpp"
+#include "course/claims.hpp"
 #include "math/extremes.hpp"
 #include "parts_of_light.hpp"
 #include "picture_grid.hpp"
 #include "sampling/random_point.hpp"
 #include "sampling/sobol_point.hpp"
-#include "scene/cornell_box.hpp"
 #include "statistics/estimate.hpp"
 #include "transport/traced.hpp"
 
 namespace sr {
 
 using PartEstimates = std::array<Estimate, parts_of_light.size()>;
-
-/// The box with a ball of mirror and one of glass, lit by its lamp alone.
-[[nodiscard]] inline SceneView box_of_balls(int side) {
-    SceneView view{cornell_box_with_balls(), cornell_box_camera(side)};
-    view.scene.lights.clear();
-    return view;
-}
 
 /// All parts, and at last their sum.
 inline void render_parts(course::Chapter& chapter) {
@@ -133,7 +127,7 @@ inline void claim_parts(course::Chapter& chapter) {
                                                                       {5, {37, 31, 2.5, 2.6}, 0.1},
                                                                       {2, {59, 47, 47, 47}, 1},
                                                                       {7, {34, 29, 21, 21}, 1}}};
-    const Claims                                             claim{chapter, "10.5"};
+    const course::Claims                                     claim{chapter, "10.5"};
     course::Rows table{{"part", "ways", "by", "share [%]", "+-", "error of a sample", "+-"}};
     for (std::size_t i = 0; i < strategies.size(); ++i) {
         const auto& [name, strategy] = strategies[i];

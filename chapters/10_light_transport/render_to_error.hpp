@@ -9,13 +9,14 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
+#include "box_of_balls.hpp"
 #include "course/chapter.hpp"
 #include "course/interruptible.hpp"
 #include "error_colours.hpp"
 #include "math/square.hpp"
 #include "sampling/sobol_point.hpp"
-#include "scene/cornell_box.hpp"
 #include "scene/scene_view.hpp"
 #include "stated_error.hpp"
 #include "transport/path_tracer.hpp"
@@ -35,12 +36,6 @@ namespace sr {
     throw std::runtime_error(fmt::format(
         "{}: nothing shines; must have faces of a material that does, such as Ke 10 10 10 in its .mtl file",
         options.scene->filename().string()));
-}
-
-[[nodiscard]] inline SceneView balls_below_a_lamp(int size) {
-    SceneView view{cornell_box_with_balls(), cornell_box_camera(size)};
-    view.scene.lights.clear();
-    return view;
 }
 
 /// The line that tells how far the picture is: by (10.31) the error falls with the root of the passes, so that the part
@@ -138,7 +133,7 @@ inline void render_with_error(course::Chapter& chapter, const SampledImage& imag
 /// @throws course::Interrupted after that
 inline void render_to_error(course::Chapter& chapter, const std::optional<SceneView>& own,
                             const course::Interruptible& interrupt) {
-    const auto view  = own ? *own : balls_below_a_lamp(chapter.options().size);
+    const auto view  = own ? *own : box_of_balls(chapter.options().size);
     const auto mask  = without_emitters(view.scene, view.camera);
     const auto image = rendered_to_error(chapter.options(), view, mask, interrupt);
     render_with_error(chapter, image, mask, interrupt.asked());
