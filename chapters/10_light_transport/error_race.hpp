@@ -44,6 +44,14 @@ inline const std::vector<Racer> racers{
     {"power, random", {.strategy = Strategy::power}, false},
 };
 
+/// The mean radiance of pixels that count [W/(m^2 sr)].
+[[nodiscard]] inline double radiance_of(const Image<Spectrum>& film, const PixelMask& mask) {
+    Running radiance;
+    for (std::size_t i = 0; i < mask.pixels().size(); ++i)
+        if (mask.pixels()[i] != 0) radiance.add(double(mean(film.pixels()[i])));
+    return radiance.mean();
+}
+
 /// The Cornell box, small, and how wrong a picture of it is.
 class ErrorRace {
 public:
@@ -77,9 +85,8 @@ public:
     [[nodiscard]] const Camera<double>& camera() const { return camera_; }
     [[nodiscard]] const PixelMask&      mask() const { return mask_; }
     [[nodiscard]] const SampledImage&   reference() const { return reference_; }
-    [[nodiscard]] double                error_of_reference() const {
-                       return reference_.relative_error(mask_);
-    }  ///< its standard error
+    /// Its standard error over its mean.
+    [[nodiscard]] double error_of_reference() const { return reference_.relative_error(mask_); }
 
     /// Rays of all paths together.
     [[nodiscard]] PathCount count(const Racer& racer, std::uint32_t samples) const;
@@ -88,16 +95,15 @@ private:
     /// Of each pixel that counts, the mean over its channels; over the mean radiance, squared. Their mean is the
     /// square of relative_rmse, and pixels have errors of their own: they say how sure it is.
     [[nodiscard]] Running squared_errors_of(const Image<Spectrum>& film) const {
-        const auto reference = reference_.mean();
-        Running    radiance, squares;
-        for (std::size_t i = 0; i < mask_.pixels().size(); ++i)
-            if (mask_.pixels()[i] != 0) radiance.add(double(mean(reference.pixels()[i])));
+        const auto   reference = reference_.mean();
+        const double radiance  = radiance_of(reference, mask_);
+        Running      squares;
         for (std::size_t i = 0; i < mask_.pixels().size(); ++i) {
             const Spectrum &I = film.pixels()[i], &R = reference.pixels()[i];
             if (mask_.pixels()[i] != 0)
                 squares.add(
                     (square(double(I.r - R.r)) + square(double(I.g - R.g)) + square(double(I.b - R.b))) / 3 /
-                    square(radiance.mean()));
+                    square(radiance));
         }
         return squares;
     }

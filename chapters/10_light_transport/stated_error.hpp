@@ -20,14 +20,6 @@ struct StatedErrors {
     Running             stated = {}, reached = {};  ///< squared errors of pictures, over the mean squared
 };
 
-/// The mean radiance of pixels that count.
-[[nodiscard]] inline double radiance_of(const Image<Spectrum>& film, const PixelMask& mask) {
-    Running radiance;
-    for (std::size_t i = 0; i < mask.pixels().size(); ++i)
-        if (mask.pixels()[i] != 0) radiance.add(double(mean(film.pixels()[i])));
-    return radiance.mean();
-}
-
 /// The mean squared error of brightness over the squared mean, less what the reference errs by itself.
 [[nodiscard]] inline double squared_error(const ErrorRace& race, const Image<Spectrum>& film) {
     const auto truth = race.reference().mean();
