@@ -1,11 +1,14 @@
 #pragma once
 /// @file floor_under_ball.hpp
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <numbers>
 
 #include "math/square.hpp"
+#include "radiosity/rows.hpp"
 #include "sampling/random_point.hpp"
 #include "scene/small_scenes.hpp"
 #include "statistics/estimate.hpp"
@@ -25,18 +28,18 @@ public:
 
     /// The irradiance's variance of one path, pi^2 times that of the floor's radiance, and its standard error: 2^16
     /// paths in 16 blocks.
-    [[nodiscard]] Estimate variance(Strategy strategy, std::uint64_t seed) const {
-        const PathTracer tracer(scene_, {.strategy = strategy, .bounces = 1});
-        PathCount        count;
-        Running          variances;
-        for (int block = 0; block < 16; ++block) {
-            Running L;
+    [[nodiscard]] Estimate variance(Strategy strategy, std::uint64_t seed, int threads) const {
+        const PathTracer        tracer(scene_, {.strategy = strategy, .bounces = 1});
+        std::array<Running, 16> blocks;  // of the floor's radiance
+        for_each_row(blocks.size(), {.threads = threads}, [&](std::size_t block) {
+            PathCount count;
             for (std::uint32_t i = 0; i < 4096; ++i) {
-                RandomPoint point(SampleId{.seed = seed, .x = block, .index = i});
-                L.add(double(tracer.radiance({{0.5F, 0, 0.5F}, {-1, 0, -1}}, point, count).g));
+                RandomPoint point(SampleId{.seed = seed, .x = std::int32_t(block), .index = i});
+                blocks[block].add(double(tracer.radiance({{0.5F, 0, 0.5F}, {-1, 0, -1}}, point, count).g));
             }
-            variances.add(square(std::numbers::pi) * L.variance());
-        }
+        });
+        Running variances;
+        for (const Running& L : blocks) variances.add(square(std::numbers::pi) * L.variance());
         return {variances.mean(), variances.standard_error()};
     }
 

@@ -50,6 +50,7 @@ void lamps(course::Chapter& chapter) {
     render_asked_and_met(chapter);
     claim_asked_and_met(chapter);
     chart_near_lamp(chapter);
+    claim_near_lamp(chapter);
     claim_ball_lamp(chapter);
     claim_two_balls(chapter);
 }

@@ -3,11 +3,13 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <numbers>
 
 #include "math/gauss_legendre.hpp"
 #include "math/square.hpp"
+#include "radiosity/rows.hpp"
 #include "sampling/rng.hpp"
 #include "scene/small_scenes.hpp"
 #include "statistics/estimate.hpp"
@@ -38,15 +40,15 @@ public:
     }
 
     /// What is seen in 2^15 directions, in 16 blocks.
-    [[nodiscard]] Estimate deviation_seen(TriangleSampling triangles, std::uint64_t seed) const {
+    [[nodiscard]] Estimate deviation_seen(TriangleSampling triangles, std::uint64_t seed, int threads) const {
+        const Emitters          emitters(lamp(), triangles);
+        std::array<Running, 16> blocks;  // of irradiances
+        for_each_row(blocks.size(), {.threads = threads}, [&](std::size_t block) {
+            Rng rng{seed, std::int32_t(block), 0, 0};
+            for (int i = 0; i < 2048; ++i) blocks[block].add(one(emitters, rng));
+        });
         Running deviations;
-        for (int block = 0; block < 16; ++block) {
-            const Emitters emitters(lamp(), triangles);
-            Rng            rng{seed, block, 0, 0};
-            Running        E;
-            for (int i = 0; i < 2048; ++i) E.add(one(emitters, rng));
-            deviations.add(std::sqrt(E.variance()) / irradiance());
-        }
+        for (const Running& E : blocks) deviations.add(std::sqrt(E.variance()) / irradiance());
         return {deviations.mean(), deviations.standard_error()};
     }
 
