@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 #include <string>
 
@@ -26,11 +27,8 @@ public:
     Estimate add(const Running& measured, double expected) {
         const double error = std::max(measured.standard_error(), 1e-6 * expected);
         z_                 = max_or_nan(z_, std::abs(measured.mean() - expected) / error);
-        ++count_;
         return {measured.mean(), measured.standard_error()};
     }
-    [[nodiscard]] double z() const { return z_; }
-    [[nodiscard]] int    count() const { return count_; }
 
     /// No more than 4.5: of 100 right ones, one is beyond in one case of 1500.
     void claim(course::Chapter& chapter, const std::string& what) const {
@@ -38,8 +36,7 @@ public:
     }
 
 private:
-    double z_     = 0;
-    int    count_ = 0;
+    double z_ = 0;
 };
 
 /// Each scene by 20 000 paths, as the text prints it; to half the last digit and four standard errors.

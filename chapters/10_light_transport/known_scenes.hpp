@@ -50,8 +50,8 @@ struct KnownScene {
     return {"shining ball", inside_of_a_ball(0.5F, 1), {{0.1F, 0.2F, -0.3F}, {0.4F, 1, 0.3F}}, 2};
 }
 
-/// Dark and bright walls and a ball before one of them, all of which emit what they absorb: 1 everywhere. What is looked
-/// at is the wall behind the ball.
+/// Dark and bright walls and a ball before one of them, all of which emit what they absorb: 1 everywhere. What is
+/// looked at is the wall behind the ball.
 [[nodiscard]] inline KnownScene room_of_ones() {
     Scene scene;
     for (const float rho : {0.0F, 0.1F, 0.8F, 0.6F, 0.1F, 0.0F, 0.8F})

@@ -11,20 +11,19 @@
 #include <utility>
 #include <vector>
 
-#include "claims.hpp"
+#include "course/claims.hpp"
+#include "known_scenes.hpp"
 #include "math/square.hpp"
 #include "roulette_furnace.hpp"
 #include "roulette_runs.hpp"
-#include "sampling/random_point.hpp"
 #include "scene/small_scenes.hpp"
-#include "transport/path_tracer.hpp"
 
 namespace sr {
 
 /// Means, variances and bounces of three furnaces, within four standard errors of the closed forms.
 inline void claim_roulette(course::Chapter& chapter) {
-    const Claims claim{chapter, "10.4"};
-    course::Rows table{{"rho", "q", "mean", "variance", "bounces"}};
+    const course::Claims claim{chapter, "10.4"};
+    course::Rows         table{{"rho", "q", "mean", "variance", "bounces"}};
     struct Row {
         double rho, q, mean, variance, digit, bounces;
     };
@@ -48,14 +47,10 @@ inline void claim_roulette(course::Chapter& chapter) {
 /// The same of the path tracer itself, in a ball that shines and reflects 0.9.
 inline void claim_traced_roulette(course::Chapter& chapter) {
     constexpr int    paths = 1 << 16;
-    const PathTracer tracer(inside_of_a_ball(0.9F, 1), {.strategy = Strategy::bsdf, .roulette = 0});
-    Running          light;
-    PathCount        count;
-    for (std::uint32_t i = 0; i < paths; ++i) {
-        RandomPoint point(SampleId{.index = i});
-        light.add(double(tracer.radiance({{0, 0, 0}, {1, 2, 3}}, point, count).g));
-    }
-    const Claims claim{chapter, "10.4"};
+    const KnownScene ball{"ball", inside_of_a_ball(0.9F, 1), {{0, 0, 0}, {1, 2, 3}}, 10};
+    const auto       light =
+        traced_mean(ball, paths, chapter.options().threads, {.strategy = Strategy::bsdf, .roulette = 0});
+    const course::Claims claim{chapter, "10.4"};
     claim("path tracer in a ball of 0.9: variance", 90, light.variance(),
           4 * RouletteFurnace{0.9, 0.9}.error_of_variance(paths));
 }
@@ -135,7 +130,7 @@ inline void chart_roulette_cost(course::Chapter& chapter) {
 }
 
 inline void claim_best_survival(course::Chapter& chapter) {
-    const Claims claim{chapter, "10.4"};
+    const course::Claims claim{chapter, "10.4"};
     for (const auto& [rho, noise, printed] :
          {std::tuple{0.9, 10.0, 0.852}, {0.9, 1.0, 0.9}, {0.9, 0.1, 0.951}, {0.5, 1.0, 0.5}}) {
         const auto of = fmt::format("rho {}, noise of {} squared means: best q ", rho, noise);
@@ -166,7 +161,7 @@ inline void chart_infinite_variance(course::Chapter& chapter) {
     for (const int n : {256, last}) chart.add("exact", n, 100);
     chart.as_line("exact");
     chart.in_ink("exact", course::Ink::grey);
-    const Claims claim{chapter, "10.4"};
+    const course::Claims claim{chapter, "10.4"};
     for (const auto& [run, printed] : {std::pair{1, 119.0}, {2, 97.0}, {3, 86.0}, {4, 89.0}})
         claim(fmt::format("white room, q 0.95, run {}: mean of 262144 paths", run), printed,
               chart.at(fmt::format("$q = 0.95$, run {}", run), last), 0.5);
