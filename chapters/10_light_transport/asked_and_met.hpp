@@ -4,11 +4,12 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <string>
 #include <tuple>
 #include <vector>
 
 #include "box_by_paths.hpp"
-#include "claims.hpp"
+#include "course/claims.hpp"
 #include "picture_grid.hpp"
 
 namespace sr {
@@ -48,8 +49,8 @@ inline void render_asked_and_met(course::Chapter& chapter) {
 
 /// What the text says of them; tolerances are four standard errors.
 inline void claim_asked_and_met(course::Chapter& chapter) {
-    const SmallBox box(chapter.options().threads);
-    const Claims   claim{chapter, "10.2"};
+    const SmallBox       box(chapter.options().threads);
+    const course::Claims claim{chapter, "10.2"};
     for (const auto& [name, strategy, paths, rays, printed] :
          {std::tuple{"waiting", Strategy::bsdf, waiting_paths, 3.34, 2.2},
           {"asking", Strategy::light, asking_paths, 5.31, 0.28}}) {

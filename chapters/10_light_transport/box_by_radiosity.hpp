@@ -3,6 +3,7 @@
 /// Section 10.7: the Cornell box by chapter 8's method and by paths, point by point.
 
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <numbers>
 #include <optional>

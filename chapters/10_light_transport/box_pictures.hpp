@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <numbers>
 #include <vector>
 
@@ -33,7 +34,7 @@ struct SeenPoints {
         for (int x = 0; x < camera.width; ++x)
             if (const auto hit = view.seen(camera.ray_through_pixel(x, y))) {
                 seen.points.push_back({hit->position, polygons.shapes[hit->patch].normal(), hit->patch});
-                seen.pixels.push_back({x, y});
+                seen.pixels.emplace_back(x, y);
             }
     return seen;
 }

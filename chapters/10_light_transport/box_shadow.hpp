@@ -2,6 +2,8 @@
 /// @file box_shadow.hpp
 /// Section 10.7: a line across the short block's shadow, by both methods.
 
+#include <fmt/format.h>
+
 #include <cstddef>
 #include <vector>
 
@@ -18,10 +20,11 @@ inline void chart_box_shadow(course::Chapter& chapter, const BoxByRadiosity& box
     for (int i = 0; i < steps; ++i) line.push_back({{5.0 * i + 2.5, 0, 40}, {0, 1, 0}, 0});
     const int each =
         course::ByQuality{.draft = 500, .lecture = 8000, .print = 16'000}.at(chapter.options().quality);
-    const int  threads = chapter.options().threads;
-    const auto paths   = box.by_paths(line, each, threads);
-    const auto leaves = box.of_leaves(line, solution), gathered = box.gathered(line, solution, threads);
-    auto       chart =
+    const int  threads  = chapter.options().threads;
+    const auto paths    = box.by_paths(line, each, threads);
+    const auto leaves   = BoxByRadiosity::of_leaves(line, solution),
+               gathered = box.gathered(line, solution, threads);
+    auto chart =
         chapter.chart("box_shadow", "A line across a shadow",
                       course::with_error({.x = "along the floor [mm]", .y = "radiosity, green [W/m$^2$]"}));
     for (std::size_t i = 0; i < line.size(); ++i) {

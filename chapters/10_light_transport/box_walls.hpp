@@ -6,6 +6,9 @@
 
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <iterator>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -26,8 +29,8 @@ inline constexpr BoxPart       box_parts[] = {
           {"floor", 0, 0},    {"ceiling", 1, 1},      {"back wall", 2, 2},    {"green wall", 3, 3},
           {"red wall", 4, 5}, {"short block", 7, 11}, {"tall block", 12, 16}, {"all but the lamp", 0, 16}};
 
-/// How much darker a part is by radiosity than by paths [%], with its standard error: the mean of differences at the same
-/// points, which vary less than the light does.
+/// How much darker a part is by radiosity than by paths [%], with its standard error: the mean of differences at the
+/// same points, which vary less than the light does.
 /// @param reflected  at the points, by the leaves of a mesh
 [[nodiscard]] inline Estimate missing_light(const BoxByRadiosity& box, const Radiosities& reflected,
                                             const std::vector<SurfaceSample>& points,
@@ -65,8 +68,8 @@ inline void compare_walls(course::Chapter& chapter, const BoxByRadiosity& box,
     const auto   of_all   = box.by_paths(all_over, 1, threads);
     course::Rows rows{{"part", "missing, coarse mesh [%]", "missing, fine mesh [%]", "standard error [%]"}};
     const course::Claims claim{chapter, "10.7"};
-    const auto           leaves_of_coarse = box.of_leaves(all_over, coarse),
-               leaves_of_fine             = box.of_leaves(all_over, fine);
+    const auto           leaves_of_coarse = BoxByRadiosity::of_leaves(all_over, coarse),
+               leaves_of_fine             = BoxByRadiosity::of_leaves(all_over, fine);
     for (const auto& part : box_parts) {
         const auto by_coarse = missing_light(box, leaves_of_coarse, all_over, of_all, part);
         const auto by_fine   = missing_light(box, leaves_of_fine, all_over, of_all, part);
@@ -86,7 +89,7 @@ inline void compare_walls(course::Chapter& chapter, const BoxByRadiosity& box,
     const auto points   = surface_samples(box.polygons, 500, 7);
     const auto by_paths = box.by_paths(points, 400, threads);
     claim("error at points, leaves [%]", 6,
-          error_at_points(box, box.of_leaves(points, fine), points, by_paths), 1);
+          error_at_points(box, BoxByRadiosity::of_leaves(points, fine), points, by_paths), 1);
     chapter.claim_at_most("10.7 error at points, gathered [%]",
                           error_at_points(box, box.gathered(points, fine, threads), points, by_paths), 2.5);
 }

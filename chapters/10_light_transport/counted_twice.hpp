@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "claims.hpp"
+#include "course/claims.hpp"
 #include "sampling/random_point.hpp"
 #include "scene/small_scenes.hpp"
 #include "statistics/estimate.hpp"
@@ -28,9 +28,9 @@ namespace sr {
 /// What a program gives that asks and meets: all of both, and once what the camera sees directly, which nobody asks
 /// for. Tolerances are four standard errors.
 inline void claim_counted_twice(course::Chapter& chapter) {
-    const Claims claim{chapter, "10.2"};
-    const auto   asked = radiance_in_ball(0.5F, Strategy::light, 1);
-    const auto   met   = radiance_in_ball(0.5F, Strategy::bsdf, 2);
+    const course::Claims claim{chapter, "10.2"};
+    const auto           asked = radiance_in_ball(0.5F, Strategy::light, 1);
+    const auto           met   = radiance_in_ball(0.5F, Strategy::bsdf, 2);
     claim("a ball of 0.5: radiance by its light", 2, asked.value, 4 * asked.error);
     claim("a ball of 0.5: radiance, if light counts twice", 3, asked.value + met.value - 1,
           4 * (asked.error + met.error));

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "claims.hpp"
 #include "course/chapter.hpp"
+#include "course/claims.hpp"
 #include "error_race.hpp"
 #include "math/square.hpp"
 

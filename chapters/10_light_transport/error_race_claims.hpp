@@ -13,8 +13,8 @@
 #include <tuple>
 #include <vector>
 
-#include "claims.hpp"
 #include "course/chapter.hpp"
+#include "course/claims.hpp"
 #include "error_race.hpp"
 #include "error_race_charts.hpp"
 #include "statistics/slope.hpp"
@@ -30,8 +30,8 @@ namespace sr {
 
 /// Errors with 16 samples, to four standard errors.
 inline void claim_errors(course::Chapter& chapter, const std::vector<RaceLap>& laps) {
-    const Claims claim{chapter, "10.9"};
-    course::Rows table{{"paths", "relative error, 16 samples", "standard error"}};
+    const course::Claims claim{chapter, "10.9"};
+    course::Rows         table{{"paths", "relative error, 16 samples", "standard error"}};
     for (const auto& [name, printed, tolerance] : {std::tuple{"blind", 3.9, 0.5},
                                                    {"BSDF", 2.9, 0.3},
                                                    {"light", 0.24, 0.02},
@@ -50,7 +50,7 @@ inline void claim_errors(course::Chapter& chapter, const std::vector<RaceLap>& l
 
 /// Powers of 1/n by which errors fall from 4 samples to 64.
 inline void claim_slopes(course::Chapter& chapter, const std::vector<RaceLap>& laps) {
-    const Claims claim{chapter, "10.9"};
+    const course::Claims claim{chapter, "10.9"};
     for (const auto& [name, printed, tolerance] :
          {std::tuple{"power, random", 0.49, 0.06}, {"power", 0.54, 0.06}}) {
         std::vector<double>   samples;
@@ -70,8 +70,8 @@ inline void claim_slopes(course::Chapter& chapter, const std::vector<RaceLap>& l
 
 /// Rays and shadow rays of a path.
 inline void claim_rays_of_paths(course::Chapter& chapter, const ErrorRace& race) {
-    const Claims claim{chapter, "10.9"};
-    course::Rows table{{"paths", "rays", "shadow rays"}};
+    const course::Claims claim{chapter, "10.9"};
+    course::Rows         table{{"paths", "rays", "shadow rays"}};
     for (const auto& [which, rays, shadow_rays, tolerance] :
          {std::tuple{1, 3.35, 0.0, 0.06}, {4, 3.35, 1.96, 0.06}, {6, 7.05, 4.29, 0.2}}) {
         const auto&  racer = racers[std::size_t(which)];

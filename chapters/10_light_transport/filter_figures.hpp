@@ -11,8 +11,8 @@
 #include <tuple>
 #include <vector>
 
-#include "claims.hpp"
 #include "course/chapter.hpp"
+#include "course/claims.hpp"
 #include "filter_response.hpp"
 #include "zone_plate.hpp"
 
@@ -54,8 +54,8 @@ inline void chart_filter_responses(course::Chapter& chapter) {
 
 /// What the text says of waves that pixels show as they are, and of those that they can't.
 inline void claim_filter_responses(course::Chapter& chapter) {
-    const Claims claim{chapter, "10.8"};
-    course::Rows table{{"waves per pixel", "box", "tent", "Gaussian"}};
+    const course::Claims claim{chapter, "10.8"};
+    course::Rows         table{{"waves per pixel", "box", "tent", "Gaussian"}};
     for (const auto& [f, box, tent, gaussian] : {std::tuple{0.25, 0.900, 0.811, 0.735},
                                                  {0.5, 0.637, 0.405, 0.291},
                                                  {0.9, 0.109, 0.012, 0.018},

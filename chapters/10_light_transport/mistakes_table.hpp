@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -73,7 +74,7 @@ inline void draw_mistakes(course::Diagram diagram, const std::vector<KnownScene>
         const double      x    = left + width * (double(column) + 0.5);
         const std::string name = scenes[column].name;
         const auto        blank =
-            name.rfind(' ', name.find(' ') == name.rfind(' ') ? name.npos : name.rfind(' ') - 1);
+            name.rfind(' ', name.find(' ') == name.rfind(' ') ? std::string::npos : name.rfind(' ') - 1);
         diagram.label({x, top + 0.95}, name.substr(0, blank), Anchor::centre);
         diagram.label({x, top + 0.45}, name.substr(blank + 1), Anchor::centre);
     }

@@ -11,8 +11,8 @@
 #include <tuple>
 #include <vector>
 
-#include "claims.hpp"
 #include "course/chapter.hpp"
+#include "course/claims.hpp"
 #include "requested_error.hpp"
 #include "stated_error.hpp"
 
@@ -41,9 +41,9 @@ inline void chart_deviations(course::Chapter& chapter, const std::vector<double>
 
 /// Stated and reached errors by few passes and by many. Tolerances are four standard errors or more.
 inline void claim_stated_errors(course::Chapter& chapter, const ErrorRace& race) {
-    const Claims   claim{chapter, "10.10"};
-    const TileLoop loop{.threads = chapter.options().threads};
-    course::Rows   table{
+    const course::Claims claim{chapter, "10.10"};
+    const TileLoop       loop{.threads = chapter.options().threads};
+    course::Rows         table{
         {"passes", "stated error / error", "standard error", "2 too dark [%]", "2 too bright [%]"}};
     for (const auto& [passes, pictures, dark, bright, tolerance] :
          {std::tuple{2, 16, 25, 8, 2.0}, {4, 8, 17, 2, 2.0}, {16, 4, 9, 1, 2.0}}) {
@@ -75,9 +75,9 @@ struct PrintedRequest {
 
 /// Errors that were asked for, and what came of it.
 inline void claim_requested_errors(course::Chapter& chapter, const ErrorRace& race) {
-    const Claims   claim{chapter, "10.10"};
-    const TileLoop loop{.threads = chapter.options().threads};
-    course::Rows   table{
+    const course::Claims claim{chapter, "10.10"};
+    const TileLoop       loop{.threads = chapter.options().threads};
+    course::Rows         table{
         {"asked", "way", "reached / asked", "standard error", "light", "standard error", "samples"}};
     auto progress = std::make_unique<course::Progress>("asking for errors", 5);
     for (const auto& printed :

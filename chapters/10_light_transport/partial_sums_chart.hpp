@@ -5,9 +5,10 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cstddef>
 #include <string>
 
-#include "claims.hpp"
+#include "course/claims.hpp"
 #include "partial_sums.hpp"
 
 namespace sr {
@@ -47,7 +48,7 @@ inline void chart_partial_sums(course::Chapter& chapter) {
 }
 
 inline void claim_partial_sums(course::Chapter& chapter) {
-    const Claims           claim{chapter, "10.5"};
+    const course::Claims   claim{chapter, "10.5"};
     using Primary = double DoubleSpectrum::*;
     struct Row {
         const char* rho;

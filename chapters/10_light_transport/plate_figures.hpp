@@ -12,9 +12,10 @@
 #include <string>
 #include <tuple>
 
-#include "claims.hpp"
+#include "course/claims.hpp"
 #include "light_split.hpp"
 #include "math/extremes.hpp"
+#include "math/square.hpp"
 #include "plate_errors.hpp"
 
 namespace sr {
@@ -111,8 +112,8 @@ inline void draw_plate_errors(course::Chapter& chapter, const PlateErrors& error
 
 /// What the text says of them; tolerances are four standard errors.
 inline void claim_plate_errors(course::Chapter& chapter, const PlateErrors& errors) {
-    const Claims claim{chapter, "10.3"};
-    const auto   error = [&](const char* of, double printed, std::size_t way, std::size_t plate,
+    const course::Claims claim{chapter, "10.3"};
+    const auto           error = [&](const char* of, double printed, std::size_t way, std::size_t plate,
                            std::size_t lamp) {
         const Estimate seen = errors.of[way][plate][lamp];
         claim(std::string(of) + ": relative RMSE", printed, seen.value, 4 * seen.error);
@@ -170,8 +171,8 @@ inline void claim_light_split(course::Chapter& chapter, const PlateErrors& error
     const auto tolerance = [&](const Running& of) {
         return 4 * std::hypot(of.standard_error(), std::sqrt(variance) / whole);
     };
-    const Claims claim{chapter, "10.3"};
-    const auto   right = seen(1), wrong = seen(4);
+    const course::Claims claim{chapter, "10.3"};
+    const auto           right = seen(1), wrong = seen(4);
     claim("second plate: both parts over the whole", 1, right.both.mean(), tolerance(right.both));
     claim("second plate: share that was met [%]", 26, 100 * right.met.mean(), 100 * tolerance(right.met));
     claim("second plate, by four times the density: over the whole", 0.87, wrong.both.mean(),

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "box_by_paths.hpp"
-#include "claims.hpp"
+#include "course/claims.hpp"
 #include "picture_grid.hpp"
 #include "scene/small_scenes.hpp"
 #include "statistics/slope.hpp"
@@ -39,8 +39,8 @@ inline void chart_random_paths(course::Chapter& chapter) {
     auto chart = chapter.chart(
         "random_path_errors", "The Cornell box by random paths",
         course::with_error({.x = "paths in each pixel", .y = "relative RMSE", .log = course::axis::xy}));
-    const SmallBox box(chapter.options().threads);
-    const Claims   claim{chapter, "10.1"};
+    const SmallBox       box(chapter.options().threads);
+    const course::Claims claim{chapter, "10.1"};
     for (const auto& [name, strategy, one, many] :
          {std::tuple{"blind", Strategy::blind, 16.0, 1.08}, {"BSDF", Strategy::bsdf, 12.0, 0.79}}) {
         std::vector<double>   paths;
@@ -60,8 +60,8 @@ inline void chart_random_paths(course::Chapter& chapter) {
 
 /// Pixels that are black, of two boxes with 65 536 paths each.
 inline void claim_black_pixels(course::Chapter& chapter) {
-    const Claims claim{chapter, "10.1"};
-    const int    threads = chapter.options().threads;
+    const course::Claims claim{chapter, "10.1"};
+    const int            threads = chapter.options().threads;
     for (const auto& [name, strategy, one, sixteen] :
          {std::tuple{"blind", Strategy::blind, 98.4, 85.0}, {"BSDF", Strategy::bsdf, 98.0, 81.0}}) {
         const auto after_one     = percent(black_pixels(strategy, 1, 256, threads));
@@ -74,8 +74,8 @@ inline void claim_black_pixels(course::Chapter& chapter) {
 
 /// Inside a ball that shines, light that paths of so many bounces at most miss: rho^(k + 1) of it (row H17).
 inline void claim_missing_light(course::Chapter& chapter) {
-    const Claims claim{chapter, "10.1"};
-    course::Rows table{{"reflectance", "bounces", "missing [%]", "seen missing [%]"}};
+    const course::Claims claim{chapter, "10.1"};
+    course::Rows         table{{"reflectance", "bounces", "missing [%]", "seen missing [%]"}};
     for (const auto& [rho, bounces, printed, digit] : {std::tuple{0.5, 5, 1.56, 0.01},
                                                        {0.5, 10, 0.049, 0.001},
                                                        {0.9, 5, 53.1, 0.1},

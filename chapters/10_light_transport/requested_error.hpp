@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "error_race.hpp"
+#include "math/square.hpp"
 #include "stated_error.hpp"
 #include "statistics/running.hpp"
 #include "transport/to_error.hpp"

@@ -4,8 +4,10 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 
+#include "math/square.hpp"
 #include "roulette_furnace.hpp"
 #include "statistics/estimate.hpp"
 #include "statistics/running.hpp"

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <numbers>
 #include <string>
@@ -14,6 +15,7 @@
 
 #include "course/chapter.hpp"
 #include "course/claims.hpp"
+#include "math/extremes.hpp"
 #include "statistics/tests.hpp"
 #include "vanishing_room.hpp"
 
@@ -29,7 +31,8 @@ struct ScoreCells {
 
     explicit ScoreCells(const std::vector<double>& scores) {
         for (const double z : scores)
-            ++observed[std::size_t(std::clamp(std::floor((z - first) / width) + 1, 0.0, double(count - 1)))];
+            ++observed.at(
+                std::size_t(std::clamp(std::floor((z - first) / width) + 1, 0.0, double(count - 1))));
         const auto below =
             [](std::size_t edge) {  // the normal distribution's share below an edge between cells
                 return std::erfc(-(first + width * double(edge)) / std::numbers::sqrt2) / 2;

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "claims.hpp"
+#include "course/claims.hpp"
 #include "material/dielectric.hpp"
 #include "sampling/hemisphere.hpp"
 #include "sampling/rng.hpp"
@@ -39,7 +39,7 @@ enum class Survival {
 
 /// Of 2^18 paths: the share that roulette ended, and the variance. Without roulette both are 0.
 inline void claim_squeezed(course::Chapter& chapter) {
-    const Claims             claim{chapter, "10.4"};
+    const course::Claims     claim{chapter, "10.4"};
     constexpr int            paths = 1 << 18;
     const Dielectric<double> glass(1.5);
     const auto               run = [&](Survival survival) {

@@ -2,7 +2,7 @@
 /// @file two_ways_to_squares.hpp
 /// Section 10.3: x^2 over [0, 1] by two samples, the variances of section 9.5 by quadrature (row H14).
 
-#include "claims.hpp"
+#include "course/claims.hpp"
 #include "math/gauss_legendre.hpp"
 #include "math/square.hpp"
 
@@ -31,7 +31,7 @@ template <class Density>
 }
 
 inline void claim_two_ways_to_squares(course::Chapter& chapter) {
-    const Claims claim{chapter, "10.3"};
+    const course::Claims claim{chapter, "10.3"};
     claim("x^2, two of p = 1: variance", 0.04444, variance_of_two([](double) { return 1; }), 5e-6);
     claim("x^2, two of q = 2x: variance", 0.00694, variance_of_two([](double x) { return 2 * x; }), 5e-6);
     claim("x^2, two of the mixture: variance", 0.02044,

@@ -3,7 +3,11 @@
 /// Section 10.6: a room with all that the core can make, lit by a lamp; and the same room when everything in it emits
 /// what it absorbs.
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -89,8 +93,8 @@ inline void render_vanishing_room(course::Chapter& chapter) {
                    fmt::format("{} paths a pixel, half as bright as it is.", few), known);
 }
 
-/// How far the pixels are from 1 [their standard errors], of a small picture with so many independent paths in each. Roulette
-/// comes late: what it multiplies makes means of few paths lopsided.
+/// How far the pixels are from 1 [their standard errors], of a small picture with so many independent paths in each.
+/// Roulette comes late: what it multiplies makes means of few paths lopsided.
 [[nodiscard]] inline std::vector<double> scores_of_pixels(const Scene& scene, int side, int paths,
                                                           int threads) {
     const PathTracer    tracer(scene, {.roulette = 12});
@@ -104,7 +108,7 @@ inline void render_vanishing_room(course::Chapter& chapter) {
             const Vec2  at = Vec2{float(x), float(y)} + point.pair<float>();
             brightness.add(double(mean(tracer.radiance(camera.ray(at), point, count))));
         }
-        scores[std::size_t(y * side + x)] =
+        scores[std::size_t(y) * std::size_t(side) + std::size_t(x)] =
             (brightness.mean() - 1) / std::max(brightness.standard_error(), 1e-6);
     });
     return scores;
