@@ -44,6 +44,7 @@ struct LightSample {
 /// cosine.
 class Emitters {
 public:
+    /// @pre as check_scene
     explicit Emitters(const Scene& scene, TriangleSampling triangles = TriangleSampling::by_distance);
 
     /// None if nothing shines, or what was drawn can't be seen from there: it lies in the lamp's plane, for one.

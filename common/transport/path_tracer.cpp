@@ -6,8 +6,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 #include <string>
+#include <variant>
 
 #include "math/square.hpp"
 #include "sampling/halton_point.hpp"

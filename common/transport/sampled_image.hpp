@@ -4,7 +4,7 @@
 ///
 ///     SampledImage image(camera, {.seed = 1, .samples = 16});
 ///     while (image.relative_error() > 0.05) image.add_pass<SobolPoint>(loop, radiance);
-///     write(image.mean(), image.passes());
+///     write(image.mean(), image.samples());
 
 #include <algorithm>
 #include <cmath>
