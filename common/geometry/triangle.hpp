@@ -112,7 +112,7 @@ public:
             const auto    corner = [&](std::size_t k) { return seen(&pack.corners[k][0][lane], pack.lanes); };
             const Weights weights = weigh(corner(0), corner(1), corner(2));
             const bool    in      = (weights.t >= range.min) & (weights.t <= range.max);
-            take(lane, inside(weights) & in ? weights.t : std::numeric_limits<T>::infinity());
+            take(lane, (inside(weights) & in) ? weights.t : std::numeric_limits<T>::infinity());
         }
     }
 

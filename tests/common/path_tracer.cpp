@@ -149,9 +149,10 @@ TEST_CASE("what shines and is flat does not light itself, however triangles are 
         PathCount        count;
         int              right = 0;
         for (std::uint32_t i = 0; i < 200'000; ++i) {
-            RandomPoint      point(SampleId{.index = i});
-            const Ray<float> up{
-                {1.8F * float(i % 1000) / 1000 - 0.9F, 1.8F * float(i / 1000) / 200 - 0.9F, 0}, {0, 0, 1}};
+            RandomPoint         point(SampleId{.index = i});
+            const std::uint32_t column = i % 1000, row = i / 1000;
+            const Ray<float>    up{{1.8F * float(column) / 1000 - 0.9F, 1.8F * float(row) / 200 - 0.9F, 0},
+                                {0, 0, 1}};
             right += tracer.radiance(up, point, count) == Spectrum{1, 1, 1};
         }
         CHECK(right == 200'000);
