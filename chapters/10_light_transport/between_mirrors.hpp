@@ -72,7 +72,8 @@ inline void chart_plates_between_mirrors(course::Chapter& chapter) {
     const auto    terms = terms_between_mirrors(most, 50'000, chapter.options().threads);
     auto          chart = chapter.chart(
                  "bleeding", "Two plates, diffuse bounce by diffuse bounce",
-                 course::with_error({.x = "diffuse bounces", .y = "radiance they bring", .log = course::axis::y}));
+                 course::with_error(
+                     {.x = "diffuse bounces", .y = "radiance they bring [W/(m$^2$ sr)]", .log = course::axis::y}));
     Worst            worst;
     const std::array channels{std::tuple{"red", Plates::lower.r, course::Ink::vermilion},
                               std::tuple{"green", Plates::lower.g, course::Ink::green},

@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <numbers>
 #include <string>
+#include <utility>
 
 #include "course/chapter.hpp"
 #include "course/claims.hpp"
@@ -60,10 +61,11 @@ inline void claim_known_scenes(course::Chapter& chapter) {
 
 /// Paths of at most k bounces in two balls that shine, with roulette from the first bounce on.
 inline void chart_shining_balls(course::Chapter& chapter) {
-    auto  chart = chapter.chart("shining_ball", "Inside a ball that shines, bounce by bounce",
-                                course::with_error({.x = "most bounces of a path", .y = "radiance"}));
+    auto chart =
+        chapter.chart("shining_ball", "Inside a ball that shines, bounce by bounce",
+                      course::with_error({.x = "most bounces of a path", .y = "radiance [W/(m$^2$ sr)]"}));
     Worst worst;
-    for (const double rho : {0.5, 0.9}) {
+    for (const auto& [rho, ink] : {std::pair{0.5, course::Ink::blue}, {0.9, course::Ink::vermilion}}) {
         const std::string exact = fmt::format("exact, $\\rho = {}$", rho),
                           paths = fmt::format("paths, $\\rho = {}$", rho);
         KnownScene known        = shining_ball();
@@ -76,6 +78,8 @@ inline void chart_shining_balls(course::Chapter& chapter) {
         }
         chart.as_line(exact);
         chart.as_points(paths);
+        chart.in_ink(exact, ink);
+        chart.in_ink(paths, ink);
     }
     chart.caption("Lines: (10.20). Dots: means of 10 000 paths, with their standard errors.");
     worst.claim(chapter, "a ball that shines");
@@ -84,18 +88,19 @@ inline void chart_shining_balls(course::Chapter& chapter) {
 /// The floor from the ball's foot outwards, and the wall from the lamp's side to the far one.
 inline void chart_profiles(course::Chapter& chapter) {
     const int threads = chapter.options().threads;
-    auto      floor   = chapter.chart("ball_on_floor", "A floor by a ball, under the sky",
-                                      course::with_error({.x = "distance from the foot [radii]", .y = "radiance"}));
-    Worst     of_floor;
+    auto      floor   = chapter.chart(
+               "ball_on_floor", "A floor by a ball, under the sky",
+               course::with_error({.x = "distance from the foot [radii]", .y = "radiance [W/(m$^2$ sr)]"}));
+    Worst of_floor;
     for (int i = 1; i <= 80; ++i)
         floor.add("exact", i / 20.0, Estimate{floor_by_a_ball(i / 20.0).radiance, 0});
     for (int i = 1; i <= 16; ++i) {
         const auto known = floor_by_a_ball(i / 4.0);
         floor.add("paths", i / 4.0, of_floor.add(traced_mean(known, 4'000, threads), known.radiance));
     }
-    auto wall =
-        chapter.chart("lamp_in_ball", "A lamp off the middle of a ball",
-                      course::with_error({.x = "angle from the lamp, at the middle [deg]", .y = "radiance"}));
+    auto  wall = chapter.chart("lamp_in_ball", "A lamp off the middle of a ball",
+                               course::with_error({.x = "angle from the lamp, at the middle [deg]",
+                                                   .y = "radiance [W/(m$^2$ sr)]"}));
     Worst of_wall;
     for (int angle = 0; angle <= 180; angle += 3) {
         const double exact = lamp_in_a_ball(radians(angle)).radiance;

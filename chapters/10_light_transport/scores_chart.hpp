@@ -54,7 +54,7 @@ inline void chart_scores(course::Chapter& chapter) {
     const ScoreCells cells(right), wrong(scores_of_pixels(room_that_vanishes(1.01F), side, paths, threads));
     auto             chart = chapter.chart(
                     "scores", "How far pixels are from 1, in their own standard errors",
-                    course::with_error({.x = "standard errors from 1", .y = "pixels in a cell of half a one"}));
+                    course::with_error({.x = "standard errors from 1", .y = "pixels in half a standard error"}));
     for (int i = -35; i <= 35; ++i) {
         const double z = i / 10.0;
         chart.add(
