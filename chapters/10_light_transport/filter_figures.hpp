@@ -20,7 +20,7 @@ namespace sr {
 
 inline void render_zone_plates(course::Chapter& chapter) {
     const int           size    = chapter.options().size;
-    const std::uint32_t samples = chapter.options().quality == course::Quality::draft ? 16 : 64;
+    const std::uint32_t samples = chapter.options().quality == course::Quality::draft ? 16 : 256;
     for (const auto& [name, title, caption, filter] :
          {std::tuple{"middle", "In the middle", "One sample in the middle of each pixel.",
                      std::optional<PixelFilter>{}},
