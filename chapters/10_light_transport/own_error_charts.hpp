@@ -31,12 +31,15 @@ inline void chart_deviations(course::Chapter& chapter, const std::vector<double>
         chart.add("measured", from + bin / 2, Estimate{part.value / bin, part.error / bin});
     }
     for (double t = -reach; t <= reach; t += 0.1) {
-        chart.add("t, 3 degrees", t, Estimate{student_density(t, 3)});
+        chart.add("Student", t, Estimate{student_density(t, 3)});
         chart.add("normal", t, Estimate{std::exp(-t * t / 2) / std::sqrt(2 * std::numbers::pi)});
     }
     chart.as_points("measured");
-    for (const auto* name : {"t, 3 degrees", "normal"}) chart.as_line(name);
-    chart.caption("Of pictures of the box, four passes of 4 samples each.");
+    for (const auto* name : {"Student", "normal"}) chart.as_line(name);
+    chart.caption(fmt::format(
+        "Of pictures of the box, four passes of 4 samples each. Student's distribution has 3 degrees of "
+        "freedom. {:.0f} \\% of the pixels are left of all this.",
+        100 * outside(deviations, -reach, reach).below));
 }
 
 /// Stated and reached errors by few passes and by many. Tolerances are four standard errors or more.
