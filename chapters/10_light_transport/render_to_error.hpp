@@ -21,21 +21,36 @@
 #include "stated_error.hpp"
 #include "transport/path_tracer.hpp"
 #include "transport/to_error.hpp"
+#include "transport/traced.hpp"
 
 namespace sr {
 
+/// @throws std::runtime_error if 16 paths in each pixel bring no light from what is seen, lamps left out
+inline void check_light_arrives(const SceneView& view, const std::string& file, int threads) {
+    const auto seen = traced(view.scene, view.camera, {}, {.seed = 1101}, {.threads = threads});
+    if (radiance_of(seen.mean(), without_emitters(view.scene, view.camera)) > 0) return;
+    throw std::runtime_error(fmt::format(
+        "{}: no light arrives at what is seen; lamps must light what faces +z, whence it is seen, a "
+        "little from above and from the right; y is up",
+        file));
+}
+
 /// The scene of --scene, lit by its own lamps.
-/// @throws std::runtime_error if it has none, or as view_of_file
+/// @throws std::runtime_error if it has none, or as check_light_arrives and view_of_file
 [[nodiscard]] inline std::optional<SceneView> scene_with_lamps(course::Chapter& chapter) {
     const auto& options = chapter.options();
     if (!options.scene) return std::nullopt;
     auto view =
         view_of_file(*options.scene, options.size, [&](std::string_view line) { chapter.note(line); });
-    for (const auto material : view.scene.material_of_face)
-        if (view.scene.materials[material].emission != Spectrum{}) return view;
-    throw std::runtime_error(fmt::format(
-        "{}: nothing shines; must have faces of a material that does, such as Ke 10 10 10 in its .mtl file",
-        options.scene->filename().string()));
+    const auto file   = options.scene->filename().string();
+    const auto shines = [&](auto material) { return view.scene.materials[material].emission != Spectrum{}; };
+    if (std::ranges::none_of(view.scene.material_of_face, shines))
+        throw std::runtime_error(
+            fmt::format("{}: nothing shines; must have faces of a material that does, such as Ke 10 10 10 in "
+                        "its .mtl file",
+                        file));
+    check_light_arrives(view, file, options.threads);
+    return view;
 }
 
 /// The line that tells how far the picture is: by (10.31) the error falls with the root of the passes, so that the part

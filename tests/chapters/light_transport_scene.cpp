@@ -17,8 +17,9 @@ using namespace sr::test;
 namespace {
 
 /// A square on the floor, and above it a smaller one that faces down.
-void write_scene(const fs::path& folder, const std::string& above) {
-    std::ofstream(folder / "scene.mtl") << "newmtl floor\nKd 0.7 0.7 0.7\nnewmtl above\nKd 0 0 0\n" << above;
+void write_scene(const fs::path& folder, const std::string& above,
+                 const std::string& floor = "Kd 0.7 0.7 0.7\n") {
+    std::ofstream(folder / "scene.mtl") << "newmtl floor\n" << floor << "newmtl above\nKd 0 0 0\n" << above;
     std::ofstream(folder / "scene.obj") << "mtllib scene.mtl\n"
                                            "v -1 0 -1\nv -1 0 1\nv 1 0 1\nv 1 0 -1\n"
                                            "v -0.2 1 -0.2\nv 0.2 1 -0.2\nv 0.2 1 0.2\nv -0.2 1 0.2\n"
@@ -38,6 +39,19 @@ TEST_CASE("chapter 10: a scene in which nothing shines is refused before any sec
         "10_light_transport: error: scene.obj: nothing shines; must have faces of a material that does, such "
         "as Ke 10 10 10 in its .mtl file\n");
     CHECK(dark.out == "Light transport\n");
+}
+
+TEST_CASE("chapter 10: a scene whose lamps light nothing that is seen is refused before any section begins") {
+    const ScratchFolder scratch{"light_transport_unlit"};
+    write_scene(scratch.path, "Ke 9 9 9\n", "Kd 0 0 0\n");
+    const Ended unlit =
+        run_chapter("10_light_transport", scratch.path, "--quality draft --size 32 --scene scene.obj");
+    CHECK(unlit.code == 2);
+    CHECK(
+        unlit.err ==
+        "10_light_transport: error: scene.obj: no light arrives at what is seen; lamps must light what faces "
+        "+z, whence it is seen, a little from above and from the right; y is up\n");
+    CHECK(unlit.out == "Light transport\n");
 }
 
 TEST_CASE("chapter 10: Ctrl-C in the picture of a scene of one's own ends it with what it has, and says so") {
