@@ -136,7 +136,7 @@ inline void render_box_by_both(course::Chapter& chapter, const BoxByRadiosity& b
                                solution.trees.leaf_count()),
                    shown_twice_as_bright(by_radiosity));
     chapter.render("walls_difference", "Paths less radiosity",
-                   "Relative, 4 by 4 pixels together, from -20 \\% (blue) to 20 \\% (red); white is 0.",
+                   "Relative, 4 by 4 pixels together, from -20 % (blue) to 20 % (red); white is 0.",
                    difference_map(by_paths, by_radiosity, 0.2));
     chapter.say(fmt::format("{} paths a pixel {:.2g} s, gathering {:.2g} s", paths, of_paths, of_gathering));
 }

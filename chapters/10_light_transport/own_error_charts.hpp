@@ -38,7 +38,7 @@ inline void chart_deviations(course::Chapter& chapter, const std::vector<double>
     for (const auto* name : {"Student", "normal"}) chart.as_line(name);
     chart.caption(fmt::format(
         "Of pictures of the box, four passes of 4 samples each. Student's distribution has 3 degrees of "
-        "freedom. {:.0f} \\% of the pixels are left of all this.",
+        "freedom. {:.0f} % of the pixels are left of all this.",
         100 * outside(deviations, -reach, reach).below));
 }
 
