@@ -1,7 +1,7 @@
 /// @file paths.cpp
 /// Paths per second, and what an error costs: the Cornell box, 512 x 512, by each way to find light.
 ///
-/// - `scene`, `method`: as in figure 10.9's chart; points are scrambled Sobol' ones, or random where that is said.
+/// - `scene`, `method`: as in section 10.9's chart of errors against time; points are scrambled Sobol' ones, or random where that is said.
 /// - `threads`: one, and as many as there are processors. The picture is the same to the bit.
 /// - `samples`: of each pixel, as many powers of 2 as a relative RMSE of 10 % takes, or 64 where that is not enough.
 /// - `mpaths_per_s`: millions of camera paths in a second.
