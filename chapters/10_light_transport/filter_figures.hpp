@@ -47,7 +47,7 @@ inline void chart_filter_responses(course::Chapter& chapter) {
     chart.in_ink("measured", course::Ink::grey);
     chart.mark_x(0.5, "finest that pixels can show");
     chart.caption(
-        "Lines are (10.25), dots means of 4096 random samples with standard errors. What is left beyond 0.5 "
+        "Lines are (10.24), dots means of 4096 random samples with standard errors. What is left beyond 0.5 "
         "comes "
         "back as a wave that is not there.");
 }
@@ -68,7 +68,7 @@ inline void claim_filter_responses(course::Chapter& chapter) {
             const double left = measured_response<SobolPoint>(filter, f, 1 << 16).value;
             claim(fmt::format("{}: height that is left of {} waves per pixel", name, f), std::abs(printed),
                   printed < 0 ? -left : left, 5e-4);
-            chapter.claim_at_most(fmt::format("10.8 {}: that, off (10.25), {} waves per pixel", name, f),
+            chapter.claim_at_most(fmt::format("10.8 {}: that, off (10.24), {} waves per pixel", name, f),
                                   std::abs(left - filter_response(filter, f)), 5e-4);
             row.emplace_back(left);
         }

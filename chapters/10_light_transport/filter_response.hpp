@@ -41,7 +41,7 @@ namespace sr {
     return sum / (1 - std::exp(-8));
 }
 
-/// The filter's response to waves of f per pixel, equation (10.25).
+/// The filter's response to waves of f per pixel, equation (10.24).
 [[nodiscard]] inline double filter_response(PixelFilter filter, double f) {
     switch (filter) {
         case PixelFilter::box:

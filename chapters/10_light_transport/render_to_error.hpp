@@ -53,7 +53,7 @@ inline void check_light_arrives(const SceneView& view, const std::string& file, 
     return view;
 }
 
-/// The line that tells how far the picture is: by (10.31) the error falls with the root of the passes, so that the part
+/// The line that tells how far the picture is: by (10.29) the error falls with the root of the passes, so that the part
 /// (asked / error)^2 of them is done.
 class ErrorProgress {
 public:
