@@ -9,8 +9,8 @@ using namespace sr::test;
 
 TEST_CASE("chapter 10: claims and text agree, figures have their data, renders do not depend on threads") {
     const ChapterRuns runs("10_light_transport", "--size 32");
-    // Given: numbers of paths.
-    runs.check_claims({20'000, 30'000});
+    // Given: numbers of paths, and an index of refraction.
+    runs.check_claims({20'000, 30'000, 1.5});
 
     for (const auto& row : runs.check_chart("random_path_errors", {"series"}, 2 * 3).rows)
         CHECK(row[2].number() > 0);
