@@ -9,8 +9,8 @@
 
 namespace sr {
 
-/// The largest power of two not above |x|; 0 of what is too small for digits of its own, infinity of what is not finite.
-/// A product with it changes no digit.
+/// The largest power of two not above |x|; 0 of what is too small for digits of its own, infinity of what is not
+/// finite. A product with it changes no digit.
 template <std::floating_point T>
 [[nodiscard]] constexpr T power_of_two_in(T x) {
     using Bits = std::conditional_t<sizeof(T) == 4, std::uint32_t, std::uint64_t>;

@@ -75,8 +75,8 @@ public:
         double share;  ///< what is left of the number that chose it, uniform in [0, 1] again: 1 by rounding
     };
 
-    /// Of bins that begin with the same share, all but the last are empty: it is the last share not above u that counts,
-    /// and `upper_bound` finds the next one.
+    /// Of bins that begin with the same share, all but the last are empty: it is the last share not above u that
+    /// counts, and `upper_bound` finds the next one.
     /// @pre 0 <= u < 1
     [[nodiscard]] Bin choose(T u) const {
         const auto   next = std::upper_bound(below_.begin(), below_.end(), double(u));
